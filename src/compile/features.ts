@@ -1,0 +1,86 @@
+import type { ResolvedMaterial } from "../scene/schema";
+import type { Emitter, LightKind } from "./emitters";
+import type { Primitive, Shape } from "./primitives";
+
+/** Which estimator and sampler to compile; the settings that shape the program. */
+export type ProgramSettings = {
+  readonly estimator: "path" | "uniform";
+  readonly sampler: "sobol" | "independent";
+  readonly lightSamples: number;
+};
+
+/** The conditions of the shader modules' `@if`s. */
+export type Features = ReturnType<typeof deriveFeatures>;
+
+/** What the shader must be able to do for this scene. Derived, never configured. */
+export function deriveFeatures(
+  primitives: readonly Primitive[],
+  emitters: readonly Emitter[],
+  hasEnvironment: boolean,
+  settings: ProgramSettings,
+) {
+  const materials = primitives.flatMap(({ material }) => (material === "black" ? [] : [material]));
+  const specular = materials.filter(hasSpecularLobe);
+  const rough = specular.filter((material) => material.roughness > 0);
+  const hasShape = (kind: Shape["kind"]) => primitives.some(({ shape }) => shape.kind === kind);
+  const hasLight = (kind: LightKind) => emitters.some((emitter) => emitter.kind === kind);
+  const emits = ({ material, emission }: Primitive) => material === "black" || emission.some((value) => value > 0);
+
+  const DIFFUSE = materials.length === 0 || materials.some((material) => material.metallic < 1);
+  const SPECULAR = specular.length > 0;
+  return {
+    SPHERES: hasShape("sphere"),
+    BOXES: hasShape("box"),
+    TRIANGLES: hasShape("triangle"),
+    DIFFUSE,
+    SPECULAR,
+    ROUGH: rough.length > 0,
+    MIRROR: specular.some((material) => material.roughness === 0),
+    SMITH: rough.some((material) => material.masking === "smith"),
+    SCHLICK_BECKMANN: rough.some((material) => material.masking === "schlick-beckmann"),
+    LOBES: DIFFUSE && SPECULAR,
+    EMISSION: primitives.some(emits),
+    SPHERE_EMITTERS: primitives.some((primitive) => primitive.shape.kind === "sphere" && emits(primitive)),
+    LIGHTS: emitters.length > 0,
+    SPHERE_LIGHTS: hasLight("sphere"),
+    QUAD_LIGHTS: hasLight("quad"),
+    TRIANGLE_LIGHTS: hasLight("triangle"),
+    POINT_LIGHTS: hasLight("point"),
+    ONE_LIGHT_KIND: new Set(emitters.map((emitter) => emitter.kind)).size === 1,
+    ENVIRONMENT: hasEnvironment,
+    SOBOL: settings.sampler === "sobol",
+    UNIFORM: settings.estimator === "uniform",
+    MANY_LIGHT_SAMPLES: settings.lightSamples > 1,
+  };
+}
+
+/** A dielectric of ior 1 has no interface: it is Lambert only. */
+export function hasSpecularLobe(material: ResolvedMaterial): boolean {
+  return material.metallic > 0 || material.ior > 1;
+}
+
+/** The features in words, for people: what the compiled shader contains. */
+export function describeFeatures(
+  primitives: readonly Primitive[],
+  emitters: readonly Emitter[],
+  features: Features,
+): string[] {
+  const shapes = new Map<string, number>();
+  for (const { shape } of primitives) shapes.set(shape.kind, (shapes.get(shape.kind) ?? 0) + 1);
+  const lights = new Map<string, number>();
+  for (const { kind } of emitters) lights.set(kind, (lights.get(kind) ?? 0) + 1);
+  const counted = (count: number, what: string) => (count === 1 ? what : `${count} × ${what}`);
+  return [
+    ...[...shapes].map(([kind, count]) => counted(count, kind)),
+    ...(features.DIFFUSE ? ["diffuse"] : []),
+    ...(features.ROUGH ? ["GGX"] : []),
+    ...(features.MIRROR ? ["mirror"] : []),
+    ...(features.SMITH ? ["Smith masking"] : []),
+    ...(features.SCHLICK_BECKMANN ? ["Schlick–Beckmann masking"] : []),
+    ...[...lights].map(([kind, count]) => counted(count, `${kind} light`)),
+    ...(features.ENVIRONMENT ? ["environment"] : []),
+    features.SOBOL ? "Sobol points" : "independent points",
+    ...(features.UNIFORM ? ["uniform estimator"] : []),
+    ...(features.MANY_LIGHT_SAMPLES ? ["many light samples"] : []),
+  ];
+}

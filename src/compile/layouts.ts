@@ -1,0 +1,50 @@
+import { defineStruct } from "./defineStruct";
+
+/** One surface: `Material` in `wgsl/surface.wgsl`. */
+export const MATERIAL = defineStruct({
+  F0: "vec3f",
+  alpha: "f32",
+  diffuse: "vec3f",
+  f0: "f32",
+  emission: "vec3f",
+  lightDensity: "f32",
+  f90: "f32",
+  schlickBeckmann: "f32",
+});
+
+/** One emitter: `Light` in `wgsl/lights.wgsl`. */
+export const LIGHT = defineStruct({
+  position: "vec3f",
+  size: "f32",
+  edge1: "vec3f",
+  kind: "u32",
+  edge2: "vec3f",
+  id: "u32",
+  radiance: "vec3f",
+  start: "f32",
+  probability: "f32",
+});
+
+/** What changes from dispatch to dispatch: `FrameUniforms` in `wgsl/uniforms.wgsl`. */
+export const FRAME = defineStruct({
+  origin: "vec3f",
+  sampleCount: "u32",
+  forward: "vec3f",
+  firstSample: "u32",
+  right: "vec3f",
+  half: "u32",
+  up: "vec3f",
+  seed: "u32",
+  size: "vec2u",
+  firstRow: "u32",
+  endRow: "u32",
+  maxBounces: "u32",
+  lightSamples: "u32",
+});
+
+/** How the film is shown: `View` in `wgsl/blit.wgsl`. */
+export const VIEW = defineStruct({
+  filmSize: "vec2u",
+  targetSize: "vec2u",
+  exposure: "f32",
+});

@@ -1,0 +1,97 @@
+import { dielectricF0 } from "../scene/metals";
+import type { ResolvedMaterial, Rgb } from "../scene/schema";
+import type { StructFields, StructLayout, StructValue } from "./defineStruct";
+import { type Emitter, LIGHT_KINDS } from "./emitters";
+import { hasSpecularLobe } from "./features";
+import { LIGHT, MATERIAL } from "./layouts";
+import type { Primitive, Shape } from "./primitives";
+import { add, scale } from "./vec3";
+
+const NO_PRIMITIVE = 0xffffffff;
+
+/**
+ * The bytes of the uniform `scene`: environment, materials, shapes, lights, slots, in the order and with the array
+ * lengths of the struct that `emitScene` declares. Every member is a multiple of 16 bytes long.
+ */
+export function packScene(
+  primitives: readonly Primitive[],
+  emitters: readonly Emitter[],
+  environment: Rgb,
+  slots: readonly number[],
+): ArrayBuffer {
+  const materials = primitives.map((primitive, id) => materialRow(primitive, id, emitters));
+  const lights = lightRows(emitters);
+  return concatenate([
+    floats([...environment, 0]),
+    rows(MATERIAL, materials),
+    floats(primitives.flatMap(({ shape }) => shapeRow(shape))),
+    lights.length > 0 ? rows(LIGHT, lights) : new ArrayBuffer(LIGHT.bytes),
+    slots.length > 0 ? floats(slots) : new ArrayBuffer(16),
+  ]);
+}
+
+function materialRow({ shape, material, emission }: Primitive, id: number, emitters: readonly Emitter[]) {
+  const own = emitters.filter((emitter) => emitter.primitive === id);
+  const probability = own.reduce((sum, emitter) => sum + emitter.probability, 0);
+  const area = own.reduce((sum, emitter) => sum + emitter.size, 0);
+  const lightDensity = own.length === 0 ? 0 : shape.kind === "sphere" ? probability : probability / area;
+  return { ...reflectance(material), emission, lightDensity };
+}
+
+function reflectance(material: ResolvedMaterial | "black") {
+  if (material === "black") return BLACK;
+  const { baseColor, metallic, roughness, ior, masking } = material;
+  const schlickBeckmann = masking === "schlick-beckmann" ? 1 : 0;
+  if (!hasSpecularLobe(material)) return { ...BLACK, diffuse: baseColor };
+  const f0 = dielectricF0(ior);
+  return {
+    F0: add(scale([f0, f0, f0], 1 - metallic), scale(baseColor, metallic)),
+    alpha: roughness ** 2,
+    diffuse: scale(baseColor, 1 - metallic),
+    f0,
+    f90: 1,
+    schlickBeckmann,
+  };
+}
+
+const BLACK = { F0: [0, 0, 0], alpha: 1, diffuse: [0, 0, 0] as Rgb, f0: 0, f90: 0, schlickBeckmann: 0 };
+
+function shapeRow(shape: Shape): number[] {
+  switch (shape.kind) {
+    case "sphere":
+      return [...shape.center, shape.radius];
+    case "box":
+      return [0, 1, 0, 0]; // its normal depends on the point: shapeNormal()
+    default:
+      return [...shape.normal, 0];
+  }
+}
+
+function lightRows(emitters: readonly Emitter[]) {
+  let start = 0;
+  return emitters.map((emitter) => {
+    const row = { ...emitter, kind: LIGHT_KINDS[emitter.kind], id: emitter.primitive ?? NO_PRIMITIVE, start };
+    start += emitter.probability;
+    return row;
+  });
+}
+
+function rows<F extends StructFields>(layout: StructLayout<F>, values: readonly StructValue<F>[]): ArrayBuffer {
+  const view = new DataView(new ArrayBuffer(layout.bytes * values.length));
+  for (const [i, value] of values.entries()) layout.write(view, i * layout.bytes, value);
+  return view.buffer as ArrayBuffer;
+}
+
+function floats(numbers: readonly number[]): ArrayBuffer {
+  return new Float32Array(numbers).buffer;
+}
+
+function concatenate(parts: readonly ArrayBuffer[]): ArrayBuffer {
+  const all = new Uint8Array(parts.reduce((bytes, part) => bytes + part.byteLength, 0));
+  let offset = 0;
+  for (const part of parts) {
+    all.set(new Uint8Array(part), offset);
+    offset += part.byteLength;
+  }
+  return all.buffer;
+}

@@ -1,0 +1,104 @@
+import { UnsupportedError } from "../errors";
+import type { ResolvedLight, ResolvedMaterial, ResolvedObject, ResolvedScene, Rgb, Vec3 } from "../scene/schema";
+import { cross, length, normalize, scale, subtract } from "./vec3";
+
+export type Axis = "X" | "Y" | "Z";
+
+/** Geometry as the intersectors want it, relative to the compiled scene's origin. */
+export type Shape =
+  | { readonly kind: "sphere"; readonly center: Vec3; readonly radius: number }
+  | { readonly kind: "plane"; readonly point: Vec3; readonly normal: Vec3; readonly axis: Axis | undefined }
+  | {
+      readonly kind: "quad";
+      readonly corner: Vec3;
+      readonly edge1: Vec3;
+      readonly edge2: Vec3;
+      readonly normal: Vec3;
+      readonly axis: Axis | undefined;
+    }
+  | { readonly kind: "triangle"; readonly vertices: readonly [Vec3, Vec3, Vec3]; readonly normal: Vec3 }
+  | {
+      readonly kind: "box";
+      readonly center: Vec3;
+      readonly halfSize: Vec3;
+      /** Angle about Y in radians; undefined when the box is axis-aligned. */
+      readonly turn: number | undefined;
+    };
+
+/** Something a ray can hit. Its index in the scene is its id in the shader. */
+export type Primitive = {
+  readonly shape: Shape;
+  /** `"black"`: the body of a sphere light, which reflects nothing. */
+  readonly material: ResolvedMaterial | "black";
+  /** Radiance, W·sr⁻¹·m⁻², from the front side. */
+  readonly emission: Rgb;
+};
+
+/** The scene's objects, then its sphere lights. */
+export function primitivesOf(scene: ResolvedScene, origin: Vec3): Primitive[] {
+  const objects = scene.objects.map((object) => {
+    const material = scene.materials[object.material]!;
+    return { shape: shapeOf(object, origin), material, emission: material.emission };
+  });
+  const lights = scene.lights.flatMap((light): Primitive[] =>
+    light.type === "sphere"
+      ? [{ shape: sphereOf(light, origin), material: "black", emission: sphereLightRadiance(light) }]
+      : [],
+  );
+  return [...objects, ...lights];
+}
+
+/** Radiance of a diffuse sphere that gives `power` watts: power / (4π²·radius²), by area × π. */
+function sphereLightRadiance(light: ResolvedLight & { type: "sphere" }): Rgb {
+  return scale(light.power, 1 / (4 * Math.PI ** 2 * light.radius ** 2));
+}
+
+function sphereOf(light: ResolvedLight & { type: "sphere" }, origin: Vec3): Shape {
+  return { kind: "sphere", center: subtract(light.position, origin), radius: light.radius };
+}
+
+function shapeOf(object: ResolvedObject, origin: Vec3): Shape {
+  switch (object.type) {
+    case "sphere":
+      return { kind: "sphere", center: subtract(object.center, origin), radius: object.radius };
+    case "plane": {
+      const normal = normalize(object.normal);
+      return { kind: "plane", point: subtract(object.point, origin), normal, axis: axisOf(normal) };
+    }
+    case "quad": {
+      const { edge1, edge2 } = object;
+      const normal = normalize(cross(edge1, edge2));
+      const axis = axisOf(edge1) && axisOf(edge2) && axisOf(normal);
+      return { kind: "quad", corner: subtract(object.corner, origin), edge1, edge2, normal, axis };
+    }
+    case "triangle": {
+      const [a, b, c] = object.vertices;
+      const normal = cross(subtract(b, a), subtract(c, a));
+      const vertices = [subtract(a, origin), subtract(b, origin), subtract(c, origin)] as const;
+      // A triangle without area is never hit, so any normal will do.
+      return { kind: "triangle", vertices, normal: length(normal) > 0 ? normalize(normal) : [0, 1, 0] };
+    }
+    case "box": {
+      const turn = object.rotationY % 180 === 0 ? undefined : (object.rotationY * Math.PI) / 180;
+      return { kind: "box", center: subtract(object.center, origin), halfSize: scale(object.size, 0.5), turn };
+    }
+    case "mesh":
+      throw new UnsupportedError(
+        "objects of type mesh can't be rendered yet; use triangle, quad, box, sphere or plane",
+      );
+    default:
+      return unreachable(object);
+  }
+}
+
+function axisOf(direction: Vec3): Axis | undefined {
+  const [x, y, z] = direction.map((component) => component !== 0);
+  if (x && !y && !z) return "X";
+  if (!x && y && !z) return "Y";
+  if (!x && !y && z) return "Z";
+  return undefined;
+}
+
+export function unreachable(value: never): never {
+  throw new TypeError(`unexpected ${JSON.stringify(value)}`);
+}

@@ -1,0 +1,32 @@
+import { WebGpuError } from "../errors";
+
+/**
+ * Requests a device that can run the tracer.
+ *
+ * @param gpu - `navigator.gpu` by default; in Node, pass what Dawn's `create` returns.
+ * @throws {WebGpuError} if there is no WebGPU or no adapter, or the adapter refuses.
+ */
+export async function requestDevice(gpu: GPU | undefined = globalThis.navigator?.gpu): Promise<GPUDevice> {
+  if (!gpu) {
+    throw new WebGpuError("WebGPU is not available; it needs a recent browser and a secure (https or localhost) page");
+  }
+  const adapter = await gpu.requestAdapter({ powerPreference: "high-performance" });
+  if (!adapter) throw new WebGpuError("WebGPU found no graphics adapter; hardware acceleration may be turned off");
+  const { maxStorageBufferBindingSize, maxBufferSize } = adapter.limits;
+  try {
+    return await adapter.requestDevice({
+      label: "rt-viewer",
+      requiredFeatures: adapter.features.has("timestamp-query") ? ["timestamp-query"] : [],
+      requiredLimits: { maxStorageBufferBindingSize, maxBufferSize },
+    });
+  } catch (cause) {
+    throw new WebGpuError("the graphics adapter refused to open a device", { cause });
+  }
+}
+
+/** Vendor, architecture and description of the device's adapter, as far as it tells. */
+export function adapterName(device: GPUDevice): string {
+  const { vendor, architecture, description } = device.adapterInfo;
+  const parts = [vendor, architecture, description].filter((part) => part !== "");
+  return [...new Set(parts)].join(" · ") || "unknown adapter";
+}

@@ -1,0 +1,47 @@
+import { WebGpuError } from "../errors";
+
+/**
+ * Compiles one entry point without blocking.
+ *
+ * @throws {WebGpuError} with the compiler's messages if the module is not valid, or the device's if the pipeline is not.
+ */
+export async function createComputePipeline(
+  device: GPUDevice,
+  label: string,
+  code: string,
+  entryPoint: string,
+): Promise<GPUComputePipeline> {
+  const module = device.createShaderModule({ label, code });
+  try {
+    return await device.createComputePipelineAsync({ label, layout: "auto", compute: { module, entryPoint } });
+  } catch (cause) {
+    throw await compileError(label, module, cause);
+  }
+}
+
+/** Compiles a pipeline that draws one triangle over the whole of a target of the given format. */
+export async function createBlitPipeline(
+  device: GPUDevice,
+  label: string,
+  code: string,
+  format: GPUTextureFormat,
+): Promise<GPURenderPipeline> {
+  const module = device.createShaderModule({ label, code });
+  try {
+    return await device.createRenderPipelineAsync({
+      label,
+      layout: "auto",
+      vertex: { module },
+      fragment: { module, targets: [{ format }] },
+    });
+  } catch (cause) {
+    throw await compileError(label, module, cause);
+  }
+}
+
+async function compileError(label: string, module: GPUShaderModule, cause: unknown): Promise<WebGpuError> {
+  const { messages } = await module.getCompilationInfo();
+  const errors = messages.filter(({ type }) => type === "error");
+  const lines = errors.map(({ lineNum, linePos, message }) => `${label}:${lineNum}:${linePos} ${message}`);
+  return new WebGpuError([`could not compile ${label}`, ...lines].join("\n"), { cause });
+}

@@ -1,0 +1,19 @@
+export { RtViewerError, SceneError, type SceneIssue, UnsupportedError, WebGpuError } from "./errors";
+export type { View } from "./renderer/display";
+export { PathTracer, type PathTracerOptions } from "./renderer/pathTracer";
+export { DEFAULT_SETTINGS, type Settings } from "./renderer/settings";
+export type { Stats } from "./renderer/stats";
+export * from "./scene/builders";
+export { conductorF0, dielectricF0, metals } from "./scene/metals";
+export { parseScene } from "./scene/parseScene";
+export type {
+  Camera,
+  Environment,
+  Light,
+  Material,
+  ResolvedScene,
+  Rgb,
+  Scene,
+  SceneObject,
+  Vec3,
+} from "./scene/schema";

@@ -1,0 +1,405 @@
+import { type CompiledScene, compileScene } from "../compile/compileScene";
+import { linkModule } from "../compile/linkProgram";
+import { adapterName, requestDevice } from "../gpu/device";
+import { ErrorPass, relativeError } from "../gpu/errorPass";
+import { Film } from "../gpu/film";
+import { createComputePipeline } from "../gpu/pipelines";
+import { Readback, type Report } from "../gpu/readback";
+import { TracePass } from "../gpu/tracePass";
+import { parseCamera, parseScene } from "../scene/parseScene";
+import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
+import { cameraBasis } from "./camera";
+import { Display, readPicture, type View } from "./display";
+import { Pace, pathsOf } from "./pace";
+import { createProgram, type Program, programKey } from "./program";
+import { Progress, type Slice } from "./progress";
+import { Rate } from "./rates";
+import { DEFAULT_SETTINGS, type Settings } from "./settings";
+import type { Stats } from "./stats";
+
+export type PathTracerOptions = {
+  readonly scene: Scene;
+  /** In pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** Used, never destroyed. Without one the tracer requests its own and destroys it with itself. */
+  readonly device?: GPUDevice;
+  readonly settings?: Partial<Settings>;
+};
+
+// Milliseconds of work in one submit: while a page renders, and while nobody watches.
+const FRAME_BUDGET_MS = 12;
+const BATCH_BUDGET_MS = 100;
+// Samples per pixel in one dispatch, while nobody watches. More than this gains little.
+const BATCH_SAMPLES = 16;
+// Milliseconds between two estimates of the error.
+const ERROR_INTERVAL_MS = 200;
+
+/**
+ * Renders a scene progressively on a WebGPU device. It needs no canvas and no DOM.
+ *
+ * In a page, call `frame()` and `present()` once per animation frame. Elsewhere, `await sample(n)` and `readRadiance()`.
+ */
+export class PathTracer {
+  readonly device: GPUDevice;
+  readonly stats: Stats;
+  readonly #ownsDevice: boolean;
+  readonly #errorPipeline: GPUComputePipeline;
+  readonly #readback: Readback;
+  readonly #pace = new Pace();
+  readonly #frameRate = new Rate();
+  readonly #pathRate = new Rate();
+  readonly #rayRate = new Rate();
+
+  #scene: ResolvedScene;
+  #camera: ResolvedCamera;
+  #settings: Settings;
+  #compiled: CompiledScene;
+  #program: Program;
+  #trace: TracePass;
+  #film: Film;
+  #errorPass: ErrorPass;
+  #progress: Progress;
+  #display: Display | Promise<void> | undefined;
+
+  /** The film must be cleared before the next sample, because what it shows has changed. */
+  #stale = true;
+  /** The submit under way. */
+  #working: Promise<void> | undefined;
+  /** The program being compiled; the newest only. */
+  #compiling: Promise<void> | undefined;
+  #failure: unknown;
+  #disposed = false;
+  #presentedAt: number | undefined;
+  #errorAt = Number.NEGATIVE_INFINITY;
+
+  /**
+   * @throws {SceneError} with every issue, if the scene breaks the format.
+   * @throws {UnsupportedError} if it holds something that can't be rendered yet.
+   * @throws {WebGpuError} if there is no WebGPU or no adapter.
+   */
+  static async create(options: PathTracerOptions): Promise<PathTracer> {
+    const settings = { ...DEFAULT_SETTINGS, ...options.settings };
+    const scene = parseScene(options.scene);
+    const compiled = compileScene(scene, settings);
+    const device = options.device ?? (await requestDevice());
+    try {
+      const [program, errorPipeline] = await Promise.all([
+        createProgram(device, compiled),
+        linkModule("error").then((code) => createComputePipeline(device, "error", code, "sumErrors")),
+      ]);
+      return new PathTracer(options, device, settings, scene, compiled, program, errorPipeline);
+    } catch (error) {
+      if (!options.device) device.destroy();
+      throw error;
+    }
+  }
+
+  private constructor(
+    { device: givenDevice, width, height }: PathTracerOptions,
+    device: GPUDevice,
+    settings: Settings,
+    scene: ResolvedScene,
+    compiled: CompiledScene,
+    program: Program,
+    errorPipeline: GPUComputePipeline,
+  ) {
+    this.device = device;
+    this.#ownsDevice = givenDevice === undefined;
+    this.#settings = settings;
+    this.#scene = scene;
+    this.#camera = scene.camera;
+    this.#compiled = compiled;
+    this.#program = program;
+    this.#errorPipeline = errorPipeline;
+    this.#readback = new Readback(device);
+    this.#film = new Film(device, width, height);
+    this.#progress = new Progress(height);
+    this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
+    this.#trace = new TracePass(device, program.pipeline, compiled.uniform, this.#film);
+    this.stats = {
+      fps: 0,
+      frameMs: 0,
+      gpuMs: 0,
+      samples: 0,
+      pathsPerSecond: 0,
+      raysPerSecond: 0,
+      error: Number.POSITIVE_INFINITY,
+      badSamples: 0,
+      compileSeconds: program.compileSeconds,
+      converged: false,
+      adapter: adapterName(device),
+      features: program.features,
+    };
+  }
+
+  get scene(): ResolvedScene {
+    return this.#scene;
+  }
+
+  get camera(): ResolvedCamera {
+    return this.#camera;
+  }
+
+  get settings(): Settings {
+    return this.#settings;
+  }
+
+  get width(): number {
+    return this.#film.width;
+  }
+
+  get height(): number {
+    return this.#film.height;
+  }
+
+  /** The linked shader that runs now, and what it contains. */
+  get program(): { readonly wgsl: string; readonly features: readonly string[] } {
+    return this.#program;
+  }
+
+  /**
+   * Shows another scene, or the same with other values. Compiles only if the shader has to change, and renders the old
+   * scene until that is done.
+   *
+   * @throws {SceneError | UnsupportedError} The old scene stays.
+   */
+  async setScene(scene: Scene): Promise<void> {
+    const resolved = parseScene(scene);
+    const compiled = compileScene(resolved, this.#settings);
+    await this.#install(compiled, () => {
+      this.#scene = resolved;
+      this.#camera = resolved.camera;
+    });
+  }
+
+  /** @throws {SceneError} The old camera stays. */
+  setCamera(camera: Camera): void {
+    const resolved = parseCamera(camera);
+    if (JSON.stringify(resolved) === JSON.stringify(this.#camera)) return;
+    this.#camera = resolved;
+    this.#stale = true;
+  }
+
+  /** In pixels, at least 1 × 1. */
+  resize(width: number, height: number): void {
+    if (width === this.width && height === this.height) return;
+    this.#film.dispose();
+    this.#errorPass.dispose();
+    this.#trace.dispose();
+    this.#film = new Film(this.device, width, height);
+    this.#errorPass = new ErrorPass(this.device, this.#errorPipeline, this.#film);
+    this.#trace = new TracePass(this.device, this.#program.pipeline, this.#compiled.uniform, this.#film);
+    this.#restart();
+  }
+
+  /** Changes settings. Accumulation restarts if the change matters to the image. */
+  update(settings: Partial<Settings>): void {
+    const before = this.#settings;
+    this.#settings = { ...before, ...settings };
+    this.#updateConverged();
+    const shaping = ["maxBounces", "lightSamples", "estimator", "sampler", "seed"] as const;
+    if (shaping.every((key) => before[key] === this.#settings[key])) return;
+    this.#stale = true;
+    this.#install(compileScene(this.#scene, this.#settings), () => {}).catch((error: unknown) => {
+      this.#failure = error;
+    });
+  }
+
+  /** Starts the accumulation anew. */
+  reset(): void {
+    this.#stale = true;
+  }
+
+  /**
+   * Takes `count` more samples per pixel, fewer if `targetError` or `maxSamples` stops it. Resolves when the device is
+   * done and `stats` are up to date.
+   */
+  async sample(count: number): Promise<void> {
+    while (this.#working || this.#compiling) await (this.#working ?? this.#compiling);
+    if (this.#stale) this.#restart();
+    for (let taken = 0; taken < count && !this.stats.converged && !this.#disposed; ) {
+      const wanted = Math.min(count - taken, this.#settings.maxSamples - this.#progress.samples);
+      const before = this.#progress.samples;
+      await this.#work(BATCH_BUDGET_MS, BATCH_SAMPLES, wanted, true);
+      taken += Math.max(this.#progress.samples - before, 0);
+    }
+  }
+
+  /** Mean radiance: RGBA, linear Rec. 709, alpha 1, top row first, `width · height · 4` values. */
+  readRadiance(): Promise<Float32Array> {
+    return this.#film.read();
+  }
+
+  /** The picture as `present` would show it: sRGB bytes, RGBA, top row first. */
+  readPicture(view: View = {}): Promise<Uint8ClampedArray> {
+    return readPicture(this.device, this.#film, view);
+  }
+
+  /**
+   * Submits about one animation frame's work, unless the device is still busy or nothing is left to do. Never waits.
+   *
+   * @returns whether work was submitted.
+   * @throws {WebGpuError} if an earlier frame's work or a compilation failed.
+   */
+  frame(): boolean {
+    if (this.#failure !== undefined) throw this.#failure;
+    if (this.#disposed || this.#working) return false;
+    // Finish the first pass of what is shown before following a moving camera, or a slow adapter would never show any.
+    const isFirstPass = this.#progress.samples === 0 && !this.#progress.isBalanced;
+    if (this.#stale && !isFirstPass) this.#restart();
+    if (this.stats.converged) return false;
+    const remaining = this.#settings.maxSamples - this.#progress.samples;
+    this.#work(FRAME_BUDGET_MS, this.#settings.samplesPerFrame, remaining, false).catch((error: unknown) => {
+      this.#failure = error;
+    });
+    return true;
+  }
+
+  /**
+   * Draws the image on the context's current texture; nothing until there is a complete first sample, so that the canvas
+   * keeps its last picture. The caller has configured the context with this tracer's `device`.
+   */
+  present(context: GPUCanvasContext, view: View = {}): void {
+    if (this.#disposed) return;
+    const now = performance.now();
+    if (this.#presentedAt !== undefined) this.#frameRate.observe(1, (now - this.#presentedAt) / 1000);
+    this.#presentedAt = now;
+    this.stats.fps = this.#frameRate.perSecond;
+    this.stats.frameMs = this.stats.fps > 0 ? 1000 / this.stats.fps : 0;
+    if (this.#progress.samples === 0) return;
+    if (this.#display instanceof Display) this.#display.draw(this.#film, context.getCurrentTexture(), view);
+    else this.#display ??= this.#createDisplay(context.getConfiguration()!.format);
+  }
+
+  /** Frees all GPU resources. Calling it again does nothing. */
+  dispose(): void {
+    if (this.#disposed) return;
+    this.#disposed = true;
+    this.#trace.dispose();
+    this.#errorPass.dispose();
+    this.#readback.dispose();
+    this.#film.dispose();
+    if (this.#display instanceof Display) this.#display.dispose();
+    if (this.#ownsDevice) this.device.destroy();
+  }
+
+  async #createDisplay(format: GPUTextureFormat): Promise<void> {
+    const display = await Display.create(this.device, this.#film, format);
+    if (this.#disposed) display.dispose();
+    else this.#display = display;
+  }
+
+  /** Makes `compiled` what is rendered, compiling first if no program fits. A newer call overtakes an older one. */
+  async #install(compiled: CompiledScene, commit: () => void): Promise<void> {
+    if (programKey(compiled) === this.#program.key) {
+      this.#compiling = undefined;
+      this.#compiled = compiled;
+      this.#stale = true;
+      commit();
+      return;
+    }
+    const compiling = createProgram(this.device, compiled).then((program) => {
+      if (this.#compiling !== compiling || this.#disposed) return;
+      this.#compiling = undefined;
+      this.#compiled = compiled;
+      this.#program = program;
+      this.#trace.dispose();
+      this.#trace = new TracePass(this.device, program.pipeline, compiled.uniform, this.#film);
+      this.stats.compileSeconds = program.compileSeconds;
+      this.stats.features = program.features;
+      commit();
+      this.#restart();
+    });
+    this.#compiling = compiling;
+    await compiling;
+  }
+
+  #restart(): void {
+    this.#stale = false;
+    this.#trace.writeScene(this.#compiled.uniform);
+    this.#progress = new Progress(this.height);
+    this.#errorAt = Number.NEGATIVE_INFINITY;
+    this.stats.samples = 0;
+    this.stats.error = Number.POSITIVE_INFINITY;
+    this.stats.badSamples = 0;
+    this.#updateConverged();
+    const encoder = this.device.createCommandEncoder({ label: "restart" });
+    this.#film.clear(encoder);
+    this.device.queue.submit([encoder.finish()]);
+  }
+
+  /** Submits one slice and waits for it. With `patient`, sleeps through most of the wait instead of polling. */
+  #work(budgetMs: number, maxCount: number, remaining: number, patient: boolean): Promise<void> {
+    this.#working = this.#submitSlice(budgetMs, maxCount, remaining, patient).finally(() => {
+      this.#working = undefined;
+    });
+    return this.#working;
+  }
+
+  async #submitSlice(budgetMs: number, maxCount: number, remaining: number, patient: boolean): Promise<void> {
+    const progress = this.#progress;
+    const slice = progress.next(this.#pace.rowsFor(budgetMs, this.width, maxCount), maxCount, remaining);
+    const before = progress.samples;
+    progress.finish(slice);
+    const now = performance.now();
+    const isLast = progress.samples - before >= remaining;
+    const wantsError = progress.samples >= 2 && (isLast || now - this.#errorAt > ERROR_INTERVAL_MS);
+    if (wantsError) this.#errorAt = now;
+
+    const encoder = this.device.createCommandEncoder({ label: "sample" });
+    this.#trace.encode(encoder, this.#frameUniforms(slice), this.#readback.timestampWrites);
+    if (wantsError) this.#errorPass.encode(encoder);
+    this.#readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
+    this.device.queue.submit([encoder.finish()]);
+
+    // Dawn in Node spins while a promise is pending, which takes a core from a software adapter: sleep first.
+    if (patient) await sleep(0.9 * this.#pace.predictMs(slice, this.width));
+    const report = await this.#readback.read(wantsError).catch((error: unknown) => {
+      if (!this.#disposed) throw error;
+    });
+    if (report && progress === this.#progress) this.#observe(slice, report, performance.now() - now);
+  }
+
+  #observe(slice: Slice, { gpuMs, rays, badSamples, errorSums }: Report, wallMs: number): void {
+    const ms = gpuMs ?? wallMs;
+    this.#pace.observe(slice, this.width, ms);
+    this.#pathRate.observe(pathsOf(slice, this.width), ms / 1000);
+    this.#rayRate.observe(rays, ms / 1000);
+    const { stats } = this;
+    stats.gpuMs = ms;
+    stats.pathsPerSecond = this.#pathRate.perSecond;
+    stats.raysPerSecond = this.#rayRate.perSecond;
+    stats.samples = this.#progress.samples;
+    stats.badSamples += badSamples;
+    if (errorSums) stats.error = relativeError(errorSums);
+    this.#updateConverged();
+  }
+
+  #updateConverged(): void {
+    const { error, samples } = this.stats;
+    const { targetError, maxSamples } = this.#settings;
+    this.stats.converged = (targetError > 0 && error <= targetError) || samples >= maxSamples;
+  }
+
+  #frameUniforms({ half, firstSample, count, firstRow, endRow }: Slice) {
+    const { width, height } = this;
+    const { seed, lightSamples, maxBounces = this.#scene.maxBounces } = this.#settings;
+    return {
+      ...cameraBasis(this.#camera, this.#compiled.origin, width / height),
+      size: [width, height],
+      half,
+      firstSample,
+      sampleCount: count,
+      firstRow,
+      endRow,
+      seed,
+      maxBounces,
+      lightSamples,
+    };
+  }
+}
+
+function sleep(ms: number): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, ms));
+}

@@ -1,0 +1,34 @@
+/** How the scene is sampled. Every field can change while the tracer runs. */
+export type Settings = {
+  /** How often a path may scatter between camera and light; 0 shows emitters only. Default: the scene's `maxBounces`. */
+  readonly maxBounces: number | undefined;
+  /** Light points sampled at each hit. Default 1. */
+  readonly lightSamples: number;
+  /** Samples per pixel taken between two presentations, as long as the frame budget allows. Default 1. */
+  readonly samplesPerFrame: number;
+  /**
+   * `"path"`, the default: importance sampling of lobes and lights, combined by multiple importance sampling.
+   * `"uniform"`: uniform hemisphere directions and light points uniform on the emitter's surface; the same expectation,
+   * much more noise. It is the yardstick of speed against error, not meant for pictures.
+   */
+  readonly estimator: "path" | "uniform";
+  /** `"sobol"`, the default: Owen-scrambled Sobol points. `"independent"`: pseudo-random numbers (PCG). */
+  readonly sampler: "sobol" | "independent";
+  /** Seed of the sampler, an unsigned 32-bit integer. The same seed gives the same image. Default 1. */
+  readonly seed: number;
+  /** Sampling stops once `stats.error` is at most this relative RMSE. Default 0: never. */
+  readonly targetError: number;
+  /** Sampling stops after this many samples per pixel. Default `Infinity`. */
+  readonly maxSamples: number;
+};
+
+export const DEFAULT_SETTINGS: Settings = {
+  maxBounces: undefined,
+  lightSamples: 1,
+  samplesPerFrame: 1,
+  estimator: "path",
+  sampler: "sobol",
+  seed: 1,
+  targetError: 0,
+  maxSamples: Number.POSITIVE_INFINITY,
+};

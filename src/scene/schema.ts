@@ -1,0 +1,194 @@
+// The scene format: what is allowed, every default, and the types, which are inferred from it.
+//
+// Right-handed, Y up, metres; colours are linear Rec. 709; angles are in degrees.
+
+import * as v from "valibot";
+import { byType, dictionary, list, strictObject, triple } from "./containers";
+import { oneOf, show, suggest } from "./describe";
+import {
+  direction,
+  finite,
+  finiteList,
+  fraction,
+  indexList,
+  light,
+  numberThat,
+  positive,
+  reflectance,
+  sizes,
+  vec3,
+} from "./numbers";
+
+/** A point or a direction, `[x, y, z]`. */
+export type Vec3 = readonly [number, number, number];
+/** A colour, `[r, g, b]`, linear Rec. 709. */
+export type Rgb = readonly [number, number, number];
+
+// Two directions whose angle has a smaller sine count as parallel: in f32 their cross product is mostly rounding error.
+const MIN_SINE = 1e-6;
+// A bound for loops; with an albedo of 0.99, 1024 bounces leave 3e-5 of the light.
+const MAX_BOUNCES = 1024;
+
+export const CameraSchema = strictObject(
+  {
+    position: vec3,
+    /** The point in the middle of the picture. */
+    target: v.optional(vec3, [0, 0, 0]),
+    /** Any direction that points up in the picture; need not be orthogonal to the view. */
+    up: v.optional(direction, [0, 1, 0]),
+    /** The angle between the lower and the upper edge of the picture, in degrees. */
+    verticalFov: v.optional(
+      numberThat("an angle between 0 and 180 degrees", (x) => x > 0 && x < 180),
+      45,
+    ),
+  },
+  ({ position, target, up }, addIssue) => {
+    if (!position || !target) return;
+    const view = subtract(target, position);
+    if (Math.hypot(...view) === 0) addIssue(["target"], `expected a point other than position, got ${show(target)}`);
+    else if (up && areParallel(view, up)) {
+      addIssue(["up"], `expected a direction that is not parallel to the view, got ${show(up)}`);
+    }
+  },
+);
+
+const MASKINGS = ["smith", "schlick-beckmann"] as const;
+
+export const MaterialSchema = strictObject({
+  /** Albedo of a dielectric, reflectance at normal incidence of a metal; each component from 0 to 1. */
+  baseColor: v.optional(reflectance, [1, 1, 1]),
+  /** From 0 (dielectric) to 1 (metal). */
+  metallic: v.optional(fraction, 0),
+  /** From 0 (a perfect mirror) to 1; the microfacet α is its square. */
+  roughness: v.optional(fraction, 1),
+  /** Index of refraction, ≥ 1, of the dielectric part; 1 has no highlight. */
+  ior: v.optional(
+    numberThat("a finite number ≥ 1", (x) => x >= 1),
+    1.5,
+  ),
+  /** Radiance in W·sr⁻¹·m⁻², from the front side only. */
+  emission: v.optional(light, [0, 0, 0]),
+  /** The masking function of the microfacets: height-correlated Smith, or Schlick's product form. */
+  masking: v.optional(
+    v.picklist(MASKINGS, ({ input }) => `expected ${oneOf(MASKINGS)}, got ${show(input)}${suggest(input, MASKINGS)}`),
+    "smith",
+  ),
+});
+
+/** The name of one of the scene's materials. */
+const materialName = v.string((issue) => `expected the name of a material, got ${show(issue.input)}`);
+
+export const ObjectSchema = byType({
+  sphere: strictObject({ type: v.literal("sphere"), center: vec3, radius: positive, material: materialName }),
+
+  /** Infinite. */
+  plane: strictObject({ type: v.literal("plane"), point: vec3, normal: direction, material: materialName }),
+
+  /** A parallelogram; its front is on the side of edge1 × edge2. */
+  quad: strictObject(
+    { type: v.literal("quad"), corner: vec3, edge1: direction, edge2: direction, material: materialName },
+    ({ edge1, edge2 }, addIssue) => {
+      if (edge1 && edge2 && areParallel(edge1, edge2)) {
+        addIssue(["edge2"], `expected a direction that is not parallel to edge1, got ${show(edge2)}`);
+      }
+    },
+  ),
+
+  /** Its front is where the vertices run counter-clockwise. One without area is allowed and never hit. */
+  triangle: strictObject({ type: v.literal("triangle"), vertices: triple(vec3, "[a, b, c]"), material: materialName }),
+
+  box: strictObject({
+    type: v.literal("box"),
+    center: vec3,
+    size: sizes,
+    /** Degrees around the Y axis through the center, counter-clockwise from above. */
+    rotationY: v.optional(finite, 0),
+    material: materialName,
+  }),
+
+  mesh: strictObject(
+    {
+      type: v.literal("mesh"),
+      /** x, y, z of each vertex. */
+      positions: finiteList,
+      /** Three vertices per triangle. */
+      indices: indexList,
+      /** x, y, z per vertex. Without them the mesh is faceted. */
+      normals: v.optional(finiteList),
+      material: materialName,
+    },
+    ({ positions, indices, normals }, addIssue) => {
+      if (positions && positions.length % 3 !== 0) {
+        addIssue(["positions"], `expected three numbers per vertex, got ${positions.length} numbers`);
+      }
+      if (indices && indices.length % 3 !== 0) {
+        addIssue(["indices"], `expected three indices per triangle, got ${indices.length} indices`);
+      }
+      if (positions && normals && normals.length !== positions.length) {
+        addIssue(["normals"], `expected as many numbers as positions (${positions.length}), got ${normals.length}`);
+      }
+      if (!positions || !indices) return;
+      const vertexCount = Math.floor(positions.length / 3);
+      const i = indices.findIndex((index) => index >= vertexCount);
+      if (i >= 0)
+        addIssue(["indices", i], `expected an index of one of the ${vertexCount} vertices, got ${indices[i]}`);
+    },
+  ),
+});
+
+export const LightSchema = byType({
+  /** Shines equally in all directions. Power is in watts; the intensity is power / 4π. */
+  point: strictObject({ type: v.literal("point"), position: vec3, power: light }),
+
+  /** A visible, black ball that emits. Its radius changes the shadow, never the power (watts). */
+  sphere: strictObject({ type: v.literal("sphere"), position: vec3, radius: positive, power: light }),
+});
+
+export const EnvironmentSchema = strictObject({
+  /** The same from everywhere, in W·sr⁻¹·m⁻². */
+  radiance: v.optional(light, [0, 0, 0]),
+});
+
+export const SceneSchema = v.pipe(
+  strictObject({
+    /** For editors that check JSON while it is written; has no meaning here. */
+    $schema: v.optional(v.string((issue) => `expected the address of a JSON schema, got ${show(issue.input)}`)),
+    camera: CameraSchema,
+    /** Surfaces by name; the objects refer to them. */
+    materials: v.optional(dictionary(MaterialSchema), {}),
+    objects: list(ObjectSchema),
+    lights: v.optional(list(LightSchema), []),
+    environment: v.optional(EnvironmentSchema, {}),
+    /** How often a path may scatter between camera and light: 0 shows emitters only, 1 is direct light. */
+    maxBounces: v.optional(
+      numberThat(`an integer from 0 to ${MAX_BOUNCES}`, (x) => Number.isInteger(x) && x >= 0 && x <= MAX_BOUNCES),
+      8,
+    ),
+  }),
+  v.transform(({ $schema, ...scene }) => scene),
+);
+
+/** What users write: everything that has a default is optional. */
+export type Scene = v.InferInput<typeof SceneSchema>;
+export type Camera = v.InferInput<typeof CameraSchema>;
+export type Material = v.InferInput<typeof MaterialSchema>;
+export type SceneObject = v.InferInput<typeof ObjectSchema>;
+export type Light = v.InferInput<typeof LightSchema>;
+export type Environment = v.InferInput<typeof EnvironmentSchema>;
+
+/** A valid scene with every default filled in, the output of `parseScene`. */
+export type ResolvedScene = v.InferOutput<typeof SceneSchema>;
+export type ResolvedCamera = v.InferOutput<typeof CameraSchema>;
+export type ResolvedMaterial = v.InferOutput<typeof MaterialSchema>;
+export type ResolvedObject = v.InferOutput<typeof ObjectSchema>;
+export type ResolvedLight = v.InferOutput<typeof LightSchema>;
+export type ResolvedEnvironment = v.InferOutput<typeof EnvironmentSchema>;
+
+function subtract(a: Vec3, b: Vec3): Vec3 {
+  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+}
+
+function areParallel(a: Vec3, b: Vec3): boolean {
+  const cross = Math.hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+  return cross <= MIN_SINE * Math.hypot(...a) * Math.hypot(...b);
+}

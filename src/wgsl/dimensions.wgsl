@@ -1,0 +1,13 @@
+// Which two-dimensional sample point decides what: a fixed layout per bounce, so that a decision keeps its points
+// whatever the decisions before it were.
+
+const PIXEL = 0u;
+const LIGHT = 1u;
+const DIRECTION = 2u;
+// x: lobe, y: roulette.
+const LOBE = 3u;
+const PER_BOUNCE = 3u;
+
+fn dimensionAt(depth: u32, decision: u32) -> u32 {
+  return depth * PER_BOUNCE + decision;
+}

@@ -1,0 +1,10 @@
+// Schlick's approximation.
+//
+// [1] Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15
+
+// (1 − cos)⁵
+fn schlickWeight(cosTheta: f32) -> f32 {
+  let m = saturate(1.0 - cosTheta);
+  let m2 = m * m;
+  return m2 * m2 * m;
+}

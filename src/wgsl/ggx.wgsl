@@ -1,0 +1,48 @@
+// GGX (Trowbridge–Reitz) microfacets, isotropic, as a reflection lobe.
+//
+// Directions are unit, in the local frame (z = n), both above the surface. wo points to the viewer, wi to the light,
+// wm is the microfacet normal. alpha > 0.
+//
+// [1] Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces"
+// [2] Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2)
+// [3] Dupuy, Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"
+// [4] Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"
+import package::constants::{PI};
+import package::directions::circle;
+
+// Density of microfacet normals, per steradian. [1] eq. 33, with 1 − cos² written as sin² so that it survives alpha → 0
+fn ggxD(wm: vec3f, alpha: f32) -> f32 {
+  let a2 = alpha * alpha;
+  let d = wm.x * wm.x + wm.y * wm.y + a2 * wm.z * wm.z;
+  return a2 / (PI * d * d);
+}
+
+// sqrt(alpha² + (1 − alpha²)·cos²) = cos·(1 + 2Λ), from which all Smith terms are made. [2] eq. 72
+fn ggxSlope(cosTheta: f32, alpha: f32) -> f32 {
+  let sin2 = max(1.0 - cosTheta * cosTheta, 0.0);
+  return sqrt(cosTheta * cosTheta + alpha * alpha * sin2);
+}
+
+// G2 / (4·cosO·cosI), height-correlated. [2] eq. 99
+fn ggxVisibility(cosO: f32, cosI: f32, alpha: f32) -> f32 {
+  return 0.5 / (cosI * ggxSlope(cosO, alpha) + cosO * ggxSlope(cosI, alpha));
+}
+
+// The same with Schlick's approximation of Beckmann's masking, k = alpha·sqrt(2/π). [4] eq. 19
+fn schlickBeckmannVisibility(cosO: f32, cosI: f32, alpha: f32) -> f32 {
+  let k = alpha * sqrt(2.0 / PI);
+  return 0.25 / ((cosO * (1.0 - k) + k) * (cosI * (1.0 - k) + k));
+}
+
+// Density of wi when wm is drawn from the normals visible from wo: G1·D / (4·cosO), per steradian. [2] eq. 3, 17
+fn ggxPdf(cosO: f32, wm: vec3f, alpha: f32) -> f32 {
+  return ggxD(wm, alpha) * 0.5 / (cosO + ggxSlope(cosO, alpha));
+}
+
+// A microfacet normal visible from wo. [3] listing 3
+fn ggxSample(wo: vec3f, alpha: f32, u: vec2f) -> vec3f {
+  let stretched = normalize(vec3f(alpha * wo.xy, wo.z));
+  let z = (1.0 - u.y) * (1.0 + stretched.z) - stretched.z;
+  let cap = vec3f(sqrt(max(1.0 - z * z, 0.0)) * circle(u.x), z) + stretched;
+  return normalize(vec3f(alpha * cap.xy, max(cap.z, 1e-18)));
+}

@@ -1,0 +1,136 @@
+// Points on emitters, for next-event estimation, and the density with which they are chosen.
+//
+// [1] Shirley, Wang, Zimmerman 1996, "Monte Carlo Techniques for Direct Lighting Calculations", TOG 15(1)
+// [2] Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., section 6.2.4
+// [3] Heitz 2019, "A Low-Distortion Map Between Triangle and Square"
+import package::constants::{NONE, TWO_PI, PI};
+import package::directions::{circle, uniformSphere};
+import package::frame::{frameAround, toWorld};
+import package::scene::{chooseLight, lightAt};
+
+const SPHERE_LIGHT = 0u;
+const QUAD_LIGHT = 1u;
+const TRIANGLE_LIGHT = 2u;
+const POINT_LIGHT = 3u;
+
+// One emitter, packed by compile/packScene.ts.
+struct Light {
+  // Centre of a sphere, corner of a quad or triangle, position of a point.
+  position: vec3f,
+  // Radius of a sphere, area of a quad or triangle.
+  size: f32,
+  edge1: vec3f,
+  kind: u32,
+  edge2: vec3f,
+  // Primitive that carries the emission, NONE for a point.
+  id: u32,
+  // Radiance; intensity of a point.
+  radiance: vec3f,
+  // Lights before this one are chosen with this probability altogether.
+  start: f32,
+  // Probability of choosing this light.
+  probability: f32,
+}
+
+struct LightSample {
+  // Unit, towards the light.
+  wi: vec3f,
+  distance: f32,
+  // Radiance / density; 0 when the light does not reach the point.
+  estimate: vec3f,
+  // Per steradian, the choice of light included; 0 for a point light, which no ray can hit.
+  pdf: f32,
+  id: u32,
+}
+
+fn sampleLight(p: vec3f, u: vec2f) -> LightSample {
+  let choice = chooseLight(u);
+  let light = lightAt(choice.index);
+  let kind = light.kind;
+  var sample: LightSample;
+  @if(SPHERE_LIGHTS && !UNIFORM) if (isKind(kind, SPHERE_LIGHT)) { sample = sampleSphere(p, light.position, light.size, choice.u); }
+  @if(SPHERE_LIGHTS && UNIFORM) if (isKind(kind, SPHERE_LIGHT)) { sample = sampleSphereSurface(p, light.position, light.size, choice.u); }
+  @if(QUAD_LIGHTS) if (isKind(kind, QUAD_LIGHT)) { sample = samplePlanar(p, light, choice.u); }
+  @if(TRIANGLE_LIGHTS) if (isKind(kind, TRIANGLE_LIGHT)) { sample = samplePlanar(p, light, squareToTriangle(choice.u)); }
+  @if(POINT_LIGHTS) if (isKind(kind, POINT_LIGHT)) { sample = samplePoint(p, light.position); }
+  sample.estimate *= light.radiance / light.probability;
+  sample.pdf *= light.probability;
+  sample.id = light.id;
+  return sample;
+}
+
+// Whether this light is of a kind; known at compile time when the scene has only one.
+fn isKind(kind: u32, expected: u32) -> bool {
+  @if(ONE_LIGHT_KIND) return true;
+  @if(!ONE_LIGHT_KIND) return kind == expected;
+}
+
+// Uniform in the cone that the sphere fills. [2]
+// Cones are measured by sin², and 1 − cos by sin²/(1 + cos), so that a tiny cone keeps its digits.
+@if(SPHERE_LIGHTS && !UNIFORM)
+fn sampleSphere(p: vec3f, center: vec3f, radius: f32, u: vec2f) -> LightSample {
+  let toCenter = center - p;
+  let d2 = dot(toCenter, toCenter);
+  let sin2Max = radius * radius / max(d2, 1e-36);
+  if (sin2Max >= 1.0) { return LightSample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0, NONE); }
+  let oneMinusCos = u.x * coneOneMinusCos(sin2Max);
+  let cosTheta = 1.0 - oneMinusCos;
+  let sin2 = oneMinusCos * (1.0 + cosTheta);
+  let d = sqrt(d2);
+  let wi = normalize(toWorld(frameAround(toCenter / d), vec3f(sqrt(sin2) * circle(u.y), cosTheta)));
+  let distance = d * (cosTheta - sqrt(max(sin2Max - sin2, 0.0)));
+  let solidAngle = TWO_PI * coneOneMinusCos(sin2Max);
+  return LightSample(wi, distance, vec3f(solidAngle), 1.0 / solidAngle, NONE);
+}
+
+fn coneOneMinusCos(sin2Max: f32) -> f32 {
+  return sin2Max / (1.0 + sqrt(1.0 - sin2Max));
+}
+
+// Density of sampleSphere towards any point of the sphere that p sees.
+fn sphereLightPdf(p: vec3f, center: vec3f, radius: f32) -> f32 {
+  let toCenter = center - p;
+  let sin2Max = radius * radius / max(dot(toCenter, toCenter), 1e-36);
+  return select(0.0, 1.0 / (TWO_PI * coneOneMinusCos(min(sin2Max, 1.0))), sin2Max < 1.0);
+}
+
+// The baseline's choice: uniform on the whole surface, half of which p cannot see. [1]
+@if(SPHERE_LIGHTS && UNIFORM)
+fn sampleSphereSurface(p: vec3f, center: vec3f, radius: f32, u: vec2f) -> LightSample {
+  let n = uniformSphere(u);
+  return fromArea(p, center + radius * n, n, 2.0 * TWO_PI * radius * radius);
+}
+
+// Uniform on a quad or, with u folded, on a triangle.
+@if(QUAD_LIGHTS || TRIANGLE_LIGHTS)
+fn samplePlanar(p: vec3f, light: Light, u: vec2f) -> LightSample {
+  let n = normalize(cross(light.edge1, light.edge2));
+  return fromArea(p, light.position + u.x * light.edge1 + u.y * light.edge2, n, light.size);
+}
+
+// [3]
+@if(TRIANGLE_LIGHTS)
+fn squareToTriangle(u: vec2f) -> vec2f {
+  return select(vec2f(0.5 * u.x, u.y - 0.5 * u.x), vec2f(u.x - 0.5 * u.y, 0.5 * u.y), u.x > u.y);
+}
+
+// Turns a uniform density on an area into one per solid angle, seen from p. n is the emitting side.
+@if(QUAD_LIGHTS || TRIANGLE_LIGHTS || (SPHERE_LIGHTS && UNIFORM))
+fn fromArea(p: vec3f, q: vec3f, n: vec3f, area: f32) -> LightSample {
+  let toLight = q - p;
+  let d2 = dot(toLight, toLight);
+  let d = sqrt(max(d2, 1e-36));
+  let wi = toLight / d;
+  let cosLight = -dot(wi, n);
+  if (cosLight <= 0.0 || d2 <= 1e-36) { return LightSample(wi, d, vec3f(0.0), 0.0, NONE); }
+  let solidAngle = area * cosLight / d2;
+  return LightSample(wi, d, vec3f(solidAngle), 1.0 / solidAngle, NONE);
+}
+
+@if(POINT_LIGHTS)
+fn samplePoint(p: vec3f, position: vec3f) -> LightSample {
+  let toLight = position - p;
+  let d2 = max(dot(toLight, toLight), 1e-36);
+  let d = sqrt(d2);
+  return LightSample(toLight / d, d, vec3f(1.0 / d2), 0.0, NONE);
+}

@@ -1,0 +1,83 @@
+// Planes, parallelograms and triangles.
+import package::ray::Ray;
+
+// Distance along the ray to the plane through `point`, -1 when parallel.
+fn planeIntersect(ray: Ray, point: vec3f, normal: vec3f) -> f32 {
+  let cosine = dot(normal, ray.d);
+  let parallel = cosine == 0.0;
+  return select(dot(normal, point - ray.o) / select(cosine, 1.0, parallel), -1.0, parallel);
+}
+
+// Planes perpendicular to an axis, by the coordinate where they cut it.
+fn planeIntersectX(ray: Ray, x: f32) -> f32 {
+  return (x - ray.o.x) * ray.inverse.x;
+}
+fn planeIntersectY(ray: Ray, y: f32) -> f32 {
+  return (y - ray.o.y) * ray.inverse.y;
+}
+fn planeIntersectZ(ray: Ray, z: f32) -> f32 {
+  return (z - ray.o.z) * ray.inverse.z;
+}
+
+// Parallelogram by its centre, its normal (any length) and the vectors dual to its half edges: inside is |u|, |v| <= 1.
+fn quadIntersect(ray: Ray, center: vec3f, normal: vec3f, dual1: vec3f, dual2: vec3f) -> f32 {
+  let t = planeIntersect(ray, center, normal);
+  let q = ray.o + t * ray.d - center;
+  return select(-1.0, t, max(abs(dot(q, dual1)), abs(dot(q, dual2))) <= 1.0);
+}
+
+// Rectangles perpendicular to an axis, by centre and half size.
+fn quadIntersectX(ray: Ray, center: vec3f, halfSize: vec3f) -> f32 {
+  let t = planeIntersectX(ray, center.x);
+  let q = abs(ray.o.yz + t * ray.d.yz - center.yz);
+  return select(-1.0, t, (q.x <= halfSize.y) & (q.y <= halfSize.z));
+}
+fn quadIntersectY(ray: Ray, center: vec3f, halfSize: vec3f) -> f32 {
+  let t = planeIntersectY(ray, center.y);
+  let q = abs(ray.o.xz + t * ray.d.xz - center.xz);
+  return select(-1.0, t, (q.x <= halfSize.x) & (q.y <= halfSize.z));
+}
+fn quadIntersectZ(ray: Ray, center: vec3f, halfSize: vec3f) -> f32 {
+  let t = planeIntersectZ(ray, center.z);
+  let q = abs(ray.o.xy + t * ray.d.xy - center.xy);
+  return select(-1.0, t, (q.x <= halfSize.x) & (q.y <= halfSize.y));
+}
+
+// The ray's own part of the triangle test: axes permuted so that z is its largest component, then sheared so that the
+// ray runs along +z. Shared by all triangles, so that two of them see a common edge alike.
+//
+// [1] Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection", JCGT 2(1)
+struct Shear {
+  o: vec3f,
+  // Index of the permutation: 0 takes (y, z, x), 1 (z, x, y), 2 (x, y, z).
+  axis: u32,
+  s: vec3f,
+}
+
+fn permute(v: vec3f, axis: u32) -> vec3f {
+  return select(select(v, v.zxy, axis == 1u), v.yzx, axis == 0u);
+}
+
+fn shearOf(ray: Ray) -> Shear {
+  let size = abs(ray.d);
+  let axis = select(select(2u, 1u, size.y > size.z), 0u, size.x > max(size.y, size.z));
+  let d = permute(ray.d, axis);
+  return Shear(ray.o, axis, vec3f(d.x / d.z, d.y / d.z, 1.0 / d.z));
+}
+
+// [1] appendix A, without backface culling; -1 for a miss or a triangle without area.
+fn triangleIntersect(shear: Shear, v0: vec3f, v1: vec3f, v2: vec3f) -> f32 {
+  let a = permute(v0 - shear.o, shear.axis);
+  let b = permute(v1 - shear.o, shear.axis);
+  let c = permute(v2 - shear.o, shear.axis);
+  let pa = a.xy - shear.s.xy * a.z;
+  let pb = b.xy - shear.s.xy * b.z;
+  let pc = c.xy - shear.s.xy * c.z;
+  let u = pc.x * pb.y - pc.y * pb.x;
+  let v = pa.x * pc.y - pa.y * pc.x;
+  let w = pb.x * pa.y - pb.y * pa.x;
+  let determinant = u + v + w;
+  let inside = ((min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0)) & (determinant != 0.0);
+  let t = (u * a.z + v * b.z + w * c.z) * shear.s.z / select(1.0, determinant, determinant != 0.0);
+  return select(-1.0, t, inside);
+}

@@ -1,0 +1,43 @@
+// A ray never meets the surface it leaves at its own origin. Analytic primitives are flat or convex, so instead of
+// moving the origin off the surface by an epsilon, the ray names the primitive it starts on and the intersectors leave
+// that one out (flat, or convex seen from outside) or take only its far side (seen from inside). No scale enters.
+import package::constants::{FAR, NONE};
+
+struct Ray {
+  o: vec3f,
+  // Unit.
+  d: vec3f,
+  // 1/d, finite: see safeInverse.
+  inverse: vec3f,
+  // Primitive the ray starts on, with INSIDE set when it starts on the inner side; NONE in free space.
+  source: u32,
+}
+
+struct Hit {
+  t: f32,
+  id: u32,
+}
+
+fn makeRay(o: vec3f, d: vec3f, source: u32) -> Ray {
+  return Ray(o, d, safeInverse(d), source);
+}
+
+// 1/d with components at or near zero replaced by 1e-18, so that slab distances are huge but finite and never 0·inf.
+fn safeInverse(d: vec3f) -> vec3f {
+  return 1.0 / select(d, vec3f(1e-18), abs(d) < vec3f(1e-18));
+}
+
+fn noHit() -> Hit {
+  return Hit(FAR, NONE);
+}
+
+// Keeps the nearer of `hit` and primitive `id` at `t`; any t <= 0 is a miss.
+fn nearer(hit: Hit, t: f32, id: u32, ray: Ray) -> Hit {
+  let closer = (t > 0.0) & (t < hit.t) & (id != ray.source);
+  return Hit(select(hit.t, t, closer), select(hit.id, id, closer));
+}
+
+// Whether primitive `id` at `t` lies strictly between the ray's origin and the point at `distance`.
+fn between(t: f32, distance: f32, id: u32, ray: Ray) -> bool {
+  return (t > 0.0) & (t < distance) & (id != ray.source);
+}

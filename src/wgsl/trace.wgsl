@@ -1,0 +1,39 @@
+// Traces sampleCount paths per pixel and adds them to one half of the film.
+import package::camera::cameraRay;
+import package::estimator::Li;
+import package::sampler::makeSampler;
+import package::uniforms::{frame, rayCount};
+
+// Radiance sums and, in w, the number of samples in them. Half 0, then half 1; rows from the top. Written here only.
+@group(0) @binding(2) var<storage, read_write> film: array<vec4f>;
+
+struct Counters {
+  // Rays traced, modulo 2³².
+  rays: atomic<u32>,
+  // Samples that were not finite and have been dropped.
+  badSamples: atomic<u32>,
+}
+
+// Written here, cleared and read by the renderer.
+@group(0) @binding(3) var<storage, read_write> counters: Counters;
+
+@compute @workgroup_size(8, 8)
+fn trace(@builtin(global_invocation_id) id: vec3u) {
+  let pixel = vec2u(id.x, id.y + frame.firstRow);
+  if (pixel.x >= frame.size.x || pixel.y >= frame.endRow) { return; }
+  var sum = vec4f(0.0);
+  for (var i = 0u; i < frame.sampleCount; i++) {
+    let samples = makeSampler(pixel, frame.half, frame.seed, frame.firstSample + i);
+    let L = Li(cameraRay(pixel, samples), samples);
+    sum += select(vec4f(0.0), vec4f(L, 1.0), isFinite(L));
+  }
+  film[(frame.half * frame.size.y + pixel.y) * frame.size.x + pixel.x] += sum;
+  atomicAdd(&counters.rays, rayCount);
+  let badSamples = frame.sampleCount - u32(sum.w);
+  if (badSamples > 0u) { atomicAdd(&counters.badSamples, badSamples); }
+}
+
+// By bits: WGSL lets a compiler assume that no value is infinite or NaN.
+fn isFinite(L: vec3f) -> bool {
+  return all((bitcast<vec3u>(L) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));
+}

@@ -1,0 +1,62 @@
+// The baseline estimator, as in the real-time ray tracer this project grew from: uniform hemisphere directions of density
+// 1/2π, light points uniform on the emitter's surface, no multiple importance sampling. Same expectation as path.wgsl.
+import package::bsdf::{bsdfEval, bsdfSampleUniform};
+import package::constants::NONE;
+import package::dimensions::{DIRECTION, LIGHT, LOBE, dimensionAt};
+import package::frame::{toLocal, toWorld};
+import package::lights::sampleLight;
+import package::ray::{Ray, makeRay};
+import package::sampler::{Sampler, point, subsample};
+import package::scene::{closestHit, environment, occluded};
+import package::surface::{Surface, surfaceAt};
+import package::uniforms::{countRay, frame};
+
+fn Li(camera: Ray, samples: Sampler) -> vec3f {
+  var L = vec3f(0.0);
+  var beta = vec3f(1.0);
+  var ray = camera;
+  // Whether emitters that this ray hits have been counted already, by light sampling at its origin.
+  var counted = false;
+  for (var depth = 0u; ; depth++) {
+    let hit = closestHit(ray);
+    countRay();
+    if (hit.id == NONE) {
+      @if(ENVIRONMENT) L += beta * environment();
+      break;
+    }
+    let surface = surfaceAt(ray, hit);
+    @if(EMISSION) L += select(beta * surface.Le, vec3f(0.0), counted && surface.lightPdf > 0.0);
+    if (depth >= frame.maxBounces) { break; }
+
+    @if(LIGHTS) L += beta * directLight(surface, samples, dimensionAt(depth, LIGHT));
+
+    let choice = point(samples, dimensionAt(depth, LOBE));
+    let next = bsdfSampleUniform(surface.bsdf, surface.wo, point(samples, dimensionAt(depth, DIRECTION)), choice.x);
+    beta *= next.weight;
+    counted = next.pdf > 0.0;
+    if (all(beta == vec3f(0.0))) { break; }
+    ray = makeRay(surface.p, toWorld(surface.frame, next.wi), surface.source);
+  }
+  return L;
+}
+
+@if(LIGHTS)
+fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
+  @if(!MANY_LIGHT_SAMPLES) return oneLight(surface, point(samples, dimension));
+  @if(MANY_LIGHT_SAMPLES) {
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < frame.lightSamples; i++) {
+      sum += oneLight(surface, point(subsample(samples, i, frame.lightSamples), dimension));
+    }
+    return sum / f32(frame.lightSamples);
+  }
+}
+
+@if(LIGHTS)
+fn oneLight(surface: Surface, u: vec2f) -> vec3f {
+  let light = sampleLight(surface.p, u);
+  let reflected = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi)).rgb * light.estimate;
+  if (all(reflected == vec3f(0.0))) { return vec3f(0.0); }
+  countRay();
+  return select(reflected, vec3f(0.0), occluded(makeRay(surface.p, light.wi, surface.source), light.distance, light.id));
+}

@@ -1,0 +1,34 @@
+// What changes from dispatch to dispatch. Mirrored by FRAME in renderer/frameUniforms.ts.
+
+struct FrameUniforms {
+  // The camera, in the compiled scene's coordinates.
+  origin: vec3f,
+  // Samples per pixel in this dispatch.
+  sampleCount: u32,
+  // From the origin to the centre of the image plane, and from there to its right and upper edge.
+  forward: vec3f,
+  // Index of the dispatch's first sample within the film half.
+  firstSample: u32,
+  right: vec3f,
+  // Half of the film that this dispatch adds to: 0 or 1.
+  half: u32,
+  up: vec3f,
+  seed: u32,
+  // Of the film, in pixels.
+  size: vec2u,
+  // First row of this dispatch.
+  firstRow: u32,
+  // Row after the last.
+  endRow: u32,
+  maxBounces: u32,
+  lightSamples: u32,
+}
+
+@group(0) @binding(0) var<uniform> frame: FrameUniforms;
+
+// Rays traced by this invocation.
+var<private> rayCount: u32;
+
+fn countRay() {
+  rayCount++;
+}

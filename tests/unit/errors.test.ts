@@ -1,0 +1,31 @@
+import { expect, test } from "vitest";
+import { RtViewerError, SceneError, UnsupportedError, WebGpuError } from "../../src/errors";
+
+test("every error is an RtViewerError and says its own name", () => {
+  const errors = [new SceneError([]), new WebGpuError("no adapter"), new UnsupportedError("mesh")];
+  for (const error of errors) expect(error).toBeInstanceOf(RtViewerError);
+  expect(errors.map((error) => error.name)).toEqual(["SceneError", "WebGpuError", "UnsupportedError"]);
+  expect(new RtViewerError("x").name).toBe("RtViewerError");
+});
+
+test("an error keeps its cause", () => {
+  const cause = new Error("lost");
+  expect(new WebGpuError("the device is lost", { cause }).cause).toBe(cause);
+  expect(new SceneError([], { cause }).cause).toBe(cause);
+});
+
+test("the message of a SceneError lists every issue on a line of its own", () => {
+  const issues = [
+    { path: "", message: "expected an object, got null" },
+    { path: "objects[3].radius", message: "expected a finite number > 0, got -1" },
+  ];
+  const error = new SceneError(issues);
+  expect(error.issues).toEqual(issues);
+  expect(error.message).toBe(
+    "The scene has 2 errors:\nscene: expected an object, got null\nobjects[3].radius: expected a finite number > 0, got -1",
+  );
+});
+
+test("one issue is one error", () => {
+  expect(new SceneError([{ path: "camera", message: "x" }]).message).toBe("The scene has 1 error:\ncamera: x");
+});

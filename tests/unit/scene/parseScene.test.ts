@@ -1,0 +1,202 @@
+import { readdirSync, readFileSync } from "node:fs";
+import { describe, expect, expectTypeOf, test } from "vitest";
+import { parseScene } from "../../../src/scene/parseScene";
+import type { ResolvedMaterial, ResolvedObject, ResolvedScene, Rgb, Scene, Vec3 } from "../../../src/scene/schema";
+
+const MINIMAL: Scene = { camera: { position: [0, 1, 5] }, objects: [] };
+
+const SCENES = new URL("../../reference/scenes/", import.meta.url);
+
+describe("defaults", () => {
+  test("a camera position and a list of objects are enough", () => {
+    expect(parseScene(MINIMAL)).toEqual({
+      camera: { position: [0, 1, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 45 },
+      materials: {},
+      objects: [],
+      lights: [],
+      environment: { radiance: [0, 0, 0] },
+      maxBounces: 8,
+    });
+  });
+
+  test("an empty material is a rough white dielectric", () => {
+    expect(parseScene({ ...MINIMAL, materials: { plain: {} } }).materials.plain).toEqual({
+      baseColor: [1, 1, 1],
+      metallic: 0,
+      roughness: 1,
+      ior: 1.5,
+      emission: [0, 0, 0],
+      masking: "smith",
+    });
+  });
+
+  test("a box is not rotated", () => {
+    const box = { type: "box", center: [0, 0, 0], size: [1, 1, 1], material: "plain" };
+    const { objects } = parseScene({ ...MINIMAL, materials: { plain: {} }, objects: [box] });
+    expect(objects[0]).toEqual({ ...box, rotationY: 0 });
+  });
+
+  test("an empty environment is black", () => {
+    expect(parseScene({ ...MINIMAL, environment: {} }).environment.radiance).toEqual([0, 0, 0]);
+  });
+
+  test("a mesh without normals has no normals key", () => {
+    const mesh = { type: "mesh", positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], indices: [0, 1, 2], material: "plain" };
+    const { objects } = parseScene({ ...MINIMAL, materials: { plain: {} }, objects: [mesh] });
+    expect(objects[0]).toStrictEqual(mesh);
+  });
+
+  test("an undefined field counts as absent", () => {
+    expect(parseScene({ ...MINIMAL, maxBounces: undefined, lights: undefined }).maxBounces).toBe(8);
+  });
+
+  test("two scenes do not share their defaults", () => {
+    expect(parseScene(MINIMAL).camera.up).not.toBe(parseScene(MINIMAL).camera.up);
+    expect(parseScene(MINIMAL).materials).not.toBe(parseScene(MINIMAL).materials);
+  });
+});
+
+describe("the reference scenes", () => {
+  for (const name of readdirSync(SCENES)) {
+    const json = JSON.parse(readFileSync(new URL(name, SCENES), "utf8"));
+
+    test(`${name} parses to what it says`, () => {
+      expect(parseScene(json)).toMatchObject(json);
+    });
+
+    test(`${name} parses to the same when it is parsed again`, () => {
+      const once = parseScene(json);
+      expect(parseScene(once)).toEqual(once);
+      expect(parseScene(JSON.parse(JSON.stringify(once)))).toEqual(once);
+    });
+  }
+});
+
+describe("what is accepted", () => {
+  test("$schema is ignored", () => {
+    expect(parseScene({ $schema: "./scene.schema.json", ...MINIMAL })).toEqual(parseScene(MINIMAL));
+  });
+
+  test("every kind of object and light", () => {
+    const material = "m";
+    const scene = {
+      camera: { position: [0, 0, 5], target: [1, 0, 0], up: [0, 0, 1], verticalFov: 90 },
+      materials: {
+        m: { baseColor: [0, 0.5, 1], metallic: 1, roughness: 0, ior: 1, emission: [9, 0, 0], masking: "smith" },
+      },
+      objects: [
+        { type: "sphere", center: [1, 2, 3], radius: 0.5, material },
+        { type: "plane", point: [0, 0, 0], normal: [0, 2, 0], material },
+        { type: "quad", corner: [0, 0, 0], edge1: [1, 0, 0], edge2: [1, 1, 0], material },
+        {
+          type: "triangle",
+          vertices: [
+            [0, 0, 0],
+            [1, 0, 0],
+            [0, 1, 0],
+          ],
+          material,
+        },
+        { type: "box", center: [0, 0, 0], size: [1, 2, 3], rotationY: -17, material },
+        { type: "mesh", positions: [0, 0, 0], indices: [0, 0, 0], normals: [0, 1, 0], material },
+      ],
+      lights: [
+        { type: "point", position: [0, 4, 0], power: [100, 100, 100] },
+        { type: "sphere", position: [0, 4, 0], radius: 0.1, power: [100, 100, 100] },
+      ],
+      environment: { radiance: [0.1, 0.2, 0.3] },
+      maxBounces: 0,
+    };
+    expect(parseScene(scene)).toEqual(scene);
+  });
+
+  test("a triangle without area", () => {
+    const objects = [
+      {
+        type: "triangle",
+        vertices: [
+          [0, 0, 0],
+          [1, 1, 1],
+          [2, 2, 2],
+        ],
+        material: "m",
+      },
+    ];
+    expect(() => parseScene({ ...MINIMAL, materials: { m: {} }, objects })).not.toThrow();
+  });
+
+  test("the largest and the smallest sizes whose squares are f32 numbers", () => {
+    const objects = [
+      { type: "sphere", center: [1e18, -1e18, 0], radius: 1e18, material: "m" },
+      { type: "sphere", center: [0, 0, 0], radius: 1e-18, material: "m" },
+    ];
+    expect(() => parseScene({ ...MINIMAL, materials: { m: {} }, objects })).not.toThrow();
+    const MIN_NORMAL_F32 = 2 ** -126;
+    expect(Math.fround(1e-18 ** 2)).toBeGreaterThan(MIN_NORMAL_F32);
+    expect(Number.isFinite(Math.fround(3 * 2e18 ** 2))).toBe(true); // |a − b|² of two opposite corners
+  });
+
+  test("a class instance with accessors", () => {
+    class Rig {
+      get position() {
+        return [0, 0, 5];
+      }
+    }
+    expect(parseScene({ camera: new Rig(), objects: [] }).camera.position).toEqual([0, 0, 5]);
+  });
+});
+
+describe("ownership", () => {
+  test("changing the input afterwards does not change the scene", () => {
+    const position: [number, number, number] = [0, 0, 5];
+    const baseColor: [number, number, number] = [0.5, 0.5, 0.5];
+    const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+    const input = {
+      camera: { position },
+      materials: { m: { baseColor } },
+      objects: [{ type: "mesh", positions, indices: [0, 1, 2], material: "m" }],
+    };
+    const scene = parseScene(input);
+    const before = structuredClone(scene);
+    position[0] = baseColor[0] = positions[0] = 0.25;
+    input.objects.pop();
+    expect(scene).toEqual(before);
+  });
+
+  test("a deeply frozen input parses", () => {
+    const freeze = (value: object): void => {
+      for (const inner of Object.values(value)) if (typeof inner === "object") freeze(inner);
+      Object.freeze(value);
+    };
+    const json = JSON.parse(readFileSync(new URL("spheres.json", SCENES), "utf8"));
+    freeze(json);
+    expect(() => parseScene(json)).not.toThrow();
+  });
+});
+
+describe("types", () => {
+  test("only what has a default is optional", () => {
+    expectTypeOf<{ camera: { position: [number, number, number] }; objects: [] }>().toExtend<Scene>();
+    expectTypeOf<{ objects: [] }>().not.toExtend<Scene>();
+    expectTypeOf<{ camera: { position: [0, 0, 5] } }>().not.toExtend<Scene>();
+    expectTypeOf<ResolvedScene["maxBounces"]>().toEqualTypeOf<number>();
+    expectTypeOf<Required<ResolvedMaterial>>().toEqualTypeOf<ResolvedMaterial>();
+  });
+
+  test("a resolved scene is a scene, and one written as const too", () => {
+    expectTypeOf<ResolvedScene>().toExtend<Scene>();
+    const scene = {
+      camera: { position: [0, 0, 5] },
+      materials: { red: { baseColor: [1, 0, 0] } },
+      objects: [{ type: "sphere", center: [0, 0, 0], radius: 1, material: "red" }],
+    } as const;
+    expectTypeOf(scene).toExtend<Scene>();
+  });
+
+  test("vectors are triples, and type tells objects apart", () => {
+    expectTypeOf<ResolvedScene["camera"]["position"]>().toEqualTypeOf<Vec3>();
+    expectTypeOf<ResolvedMaterial["baseColor"]>().toEqualTypeOf<Rgb>();
+    expectTypeOf<Extract<ResolvedObject, { type: "box" }>["rotationY"]>().toEqualTypeOf<number>();
+    expectTypeOf<ResolvedObject["type"]>().toEqualTypeOf<"sphere" | "plane" | "quad" | "triangle" | "box" | "mesh">();
+  });
+});

@@ -1,0 +1,16 @@
+import { defineConfig } from "vitest/config";
+
+const project = (name: string, options: object = {}) => ({
+  test: { name, include: [`tests/${name}/**/*.test.ts`], ...options },
+});
+
+export default defineConfig({
+  test: {
+    projects: [
+      project("unit"),
+      project("shaders"),
+      // One at a time: a software adapter takes every core. A minute is for the slowest image.
+      project("gpu", { fileParallelism: false, testTimeout: 60_000, hookTimeout: 60_000 }),
+    ],
+  },
+});
