@@ -45,7 +45,7 @@ import package::surface::Material;
 struct Scene {
   environment: vec4f,
   materials: array<Material, ${primitives.length}>,
-  // Centre and radius of a sphere; unit normal and 0 of a flat primitive.
+  // Centre and radius of a sphere; unit normal and 0 of a flat primitive; a box has only w, -1.
   shapes: array<vec4f, ${primitives.length}>,
   lights: array<Light, ${Math.max(emitters.length, 1)}>,
   // Values of the intersection functions below.
@@ -70,14 +70,6 @@ ${blockers}  return blocked;
 fn shapeNormal(id: u32, p: vec3f, otherwise: vec3f) -> vec3f {
   var n = otherwise;
 ${normals}  return n;
-}
-
-fn shapeOf(id: u32) -> vec4f {
-  return scene.shapes[id];
-}
-
-fn material(id: u32) -> Material {
-  return scene.materials[id];
 }
 
 fn environment() -> vec3f {

@@ -56,12 +56,13 @@ function reflectance(material: ResolvedMaterial | "black") {
 
 const BLACK = { F0: [0, 0, 0], alpha: 1, diffuse: [0, 0, 0] as Rgb, f0: 0, f90: 0, schlickBeckmann: 0 };
 
+/** Centre and radius of a sphere, unit normal and 0 of a flat shape, -1 last for a box. */
 function shapeRow(shape: Shape): number[] {
   switch (shape.kind) {
     case "sphere":
       return [...shape.center, shape.radius];
     case "box":
-      return [0, 1, 0, 0]; // its normal depends on the point: shapeNormal()
+      return [0, 0, 0, -1]; // its normal depends on the point: shapeNormal()
     default:
       return [...shape.normal, 0];
   }

@@ -4,7 +4,7 @@ import package::constants::{INSIDE};
 import package::frame::{Frame, frameAround, toLocal};
 import package::lights::sphereLightPdf;
 import package::ray::{Hit, Ray};
-import package::scene::{material, shapeNormal, shapeOf};
+import package::scene::{scene, shapeNormal};
 
 // Packed by compile/packScene.ts, one per primitive.
 struct Material {
@@ -36,8 +36,7 @@ struct Surface {
 }
 
 fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
-  let shape = shapeOf(hit.id);
-  let found = material(hit.id);
+  let shape = scene.shapes[hit.id];
   var p = ray.o + hit.t * ray.d;
   var n = shape.xyz;
   @if(SPHERES) {
@@ -55,20 +54,30 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   surface.p = p;
   surface.frame = frameAround(select(-n, n, front));
   surface.wo = toLocal(surface.frame, -ray.d);
-  surface.bsdf = Bsdf(found.diffuse, found.F0, found.f0, found.f90, found.alpha, found.schlickBeckmann, 0.0);
+  surface.bsdf = bsdfOf(hit.id);
   surface.bsdf.specularShare = specularShare(surface.bsdf, surface.wo.z);
   @if(EMISSION) {
-    surface.Le = select(vec3f(0.0), found.emission, front);
-    surface.lightPdf = lightPdf(found.lightDensity, shape, ray, hit.t, cosine);
+    surface.Le = select(vec3f(0.0), scene.materials[hit.id].emission, front);
+    surface.lightPdf = lightPdf(scene.materials[hit.id].lightDensity, shape, ray, hit.t, cosine);
   }
   surface.source = hit.id;
-  @if(SPHERES || BOXES) surface.source |= select(INSIDE, 0u, front || isFlat(hit.id, shape));
+  // Only a closed shape can be hit again from where the ray leaves it.
+  @if(SPHERES || BOXES) surface.source |= select(INSIDE, 0u, front || shape.w == 0.0);
   return surface;
 }
 
-@if(SPHERES || BOXES)
-fn isFlat(id: u32, shape: vec4f) -> bool {
-  return shape.w == 0.0;
+// Reads only what the scene's materials make use of: every field costs a gather.
+fn bsdfOf(id: u32) -> Bsdf {
+  var bsdf: Bsdf;
+  @if(DIFFUSE) bsdf.diffuse = scene.materials[id].diffuse;
+  @if(SPECULAR) {
+    bsdf.F0 = scene.materials[id].F0;
+    bsdf.f0 = scene.materials[id].f0;
+    bsdf.f90 = scene.materials[id].f90;
+    bsdf.alpha = scene.materials[id].alpha;
+  }
+  @if(SMITH && SCHLICK_BECKMANN) bsdf.schlickBeckmann = scene.materials[id].schlickBeckmann;
+  return bsdf;
 }
 
 @if(EMISSION)
