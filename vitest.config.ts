@@ -6,6 +6,8 @@ const project = (name: string, options: object = {}) => ({
 
 export default defineConfig({
   test: {
+    // .ci/run adds up what the reports of vitest and Playwright count.
+    reporters: process.env.CI ? ["default", ["json", { outputFile: "tests/output/vitest.json" }]] : ["default"],
     projects: [
       project("unit"),
       project("shaders"),

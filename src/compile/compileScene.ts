@@ -1,3 +1,4 @@
+import { UnsupportedError } from "../errors";
 import type { ResolvedScene, Vec3 } from "../scene/schema";
 import { emitScene } from "./emitScene";
 import { emittersOf } from "./emitters";
@@ -5,6 +6,9 @@ import { deriveFeatures, describeFeatures, type Features, type ProgramSettings }
 import { packScene } from "./packScene";
 import { primitivesOf } from "./primitives";
 import { Slots } from "./values";
+
+// maxUniformBufferBindingSize of every WebGPU device.
+const MAX_UNIFORM_BYTES = 65536;
 
 /** A scene made ready for the shader. */
 export type CompiledScene = {
@@ -40,11 +44,11 @@ export function compileScene(scene: ResolvedScene, settings: ProgramSettings): C
   );
   const slots = new Slots();
   const sceneModule = emitScene(primitives, emitters, features, slots, () => slots.numbers.length / 4);
-  return {
-    sceneModule,
-    features,
-    description: describeFeatures(primitives, emitters, features),
-    uniform: packScene(primitives, emitters, environment, slots.numbers),
-    origin,
-  };
+  const uniform = packScene(primitives, emitters, environment, slots.numbers);
+  if (uniform.byteLength > MAX_UNIFORM_BYTES) {
+    throw new UnsupportedError(
+      `the scene's ${primitives.length} objects need ${uniform.byteLength} bytes of uniforms; there are ${MAX_UNIFORM_BYTES}. Use fewer objects`,
+    );
+  }
+  return { sceneModule, features, description: describeFeatures(primitives, emitters, features), uniform, origin };
 }

@@ -44,9 +44,9 @@ import package::surface::Material;
 
 struct Scene {
   environment: vec4f,
-  materials: array<Material, ${primitives.length}>,
+  materials: array<Material, ${Math.max(primitives.length, 1)}>,
   // Centre and radius of a sphere; unit normal and 0 of a flat primitive; a box has only w, -1.
-  shapes: array<vec4f, ${primitives.length}>,
+  shapes: array<vec4f, ${Math.max(primitives.length, 1)}>,
   lights: array<Light, ${Math.max(emitters.length, 1)}>,
   // Values of the intersection functions below.
   slots: array<vec4f, ${Math.max(slotCount(), 1)}>,

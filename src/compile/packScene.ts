@@ -8,6 +8,7 @@ import type { Primitive, Shape } from "./primitives";
 import { add, scale } from "./vec3";
 
 const NO_PRIMITIVE = 0xffffffff;
+const VEC4_BYTES = 16;
 
 /**
  * The bytes of the uniform `scene`: environment, materials, shapes, lights, slots, in the order and with the array
@@ -20,13 +21,13 @@ export function packScene(
   slots: readonly number[],
 ): ArrayBuffer {
   const materials = primitives.map((primitive, id) => materialRow(primitive, id, emitters));
-  const lights = lightRows(emitters);
+  const shapes = primitives.flatMap(({ shape }) => shapeRow(shape));
   return concatenate([
     floats([...environment, 0]),
-    rows(MATERIAL, materials),
-    floats(primitives.flatMap(({ shape }) => shapeRow(shape))),
-    lights.length > 0 ? rows(LIGHT, lights) : new ArrayBuffer(LIGHT.bytes),
-    slots.length > 0 ? floats(slots) : new ArrayBuffer(16),
+    orZeros(rows(MATERIAL, materials), MATERIAL.bytes),
+    orZeros(floats(shapes), VEC4_BYTES),
+    orZeros(rows(LIGHT, lightRows(emitters)), LIGHT.bytes),
+    orZeros(floats(slots), VEC4_BYTES),
   ]);
 }
 
@@ -85,6 +86,11 @@ function rows<F extends StructFields>(layout: StructLayout<F>, values: readonly 
 
 function floats(numbers: readonly number[]): ArrayBuffer {
   return new Float32Array(numbers).buffer;
+}
+
+/** WGSL has no empty arrays: where there is nothing, one element that is never read. */
+function orZeros(array: ArrayBuffer, elementBytes: number): ArrayBuffer {
+  return array.byteLength > 0 ? array : new ArrayBuffer(elementBytes);
 }
 
 function concatenate(parts: readonly ArrayBuffer[]): ArrayBuffer {

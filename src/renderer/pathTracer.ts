@@ -27,11 +27,16 @@ export type PathTracerOptions = {
   readonly settings?: Partial<Settings>;
 };
 
+/** A scene and where it is seen from. */
+type Shown = { readonly scene: ResolvedScene; readonly camera: ResolvedCamera };
+
 // Milliseconds of work in one submit: while a page renders, and while nobody watches.
 const FRAME_BUDGET_MS = 12;
 const BATCH_BUDGET_MS = 100;
 // Samples per pixel in one dispatch, while nobody watches. More than this gains little.
 const BATCH_SAMPLES = 16;
+// Submits under way at once: with a second one waiting, the device does not idle until the next animation frame.
+const MAX_IN_FLIGHT = 2;
 // Milliseconds between two estimates of the error.
 const ERROR_INTERVAL_MS = 200;
 
@@ -45,7 +50,7 @@ export class PathTracer {
   readonly stats: Stats;
   readonly #ownsDevice: boolean;
   readonly #errorPipeline: GPUComputePipeline;
-  readonly #readback: Readback;
+  readonly #readbacks: readonly Readback[];
   readonly #pace = new Pace();
   readonly #frameRate = new Rate();
   readonly #pathRate = new Rate();
@@ -64,13 +69,16 @@ export class PathTracer {
 
   /** The film must be cleared before the next sample, because what it shows has changed. */
   #stale = true;
-  /** The submit under way. */
-  #working: Promise<void> | undefined;
-  /** The program being compiled; the newest only. */
+  /** The submits under way, by the readback each reports through. */
+  readonly #working = new Map<Readback, Promise<void>>();
+  /** The program being compiled, and what will be shown with it; the newest only. */
   #compiling: Promise<void> | undefined;
+  #pending: Shown | undefined;
   #failure: unknown;
   #disposed = false;
   #presentedAt: number | undefined;
+  /** When the device was last known to finish a submit. */
+  #finishedAt = 0;
   #errorAt = Number.NEGATIVE_INFINITY;
 
   /**
@@ -112,7 +120,7 @@ export class PathTracer {
     this.#compiled = compiled;
     this.#program = program;
     this.#errorPipeline = errorPipeline;
-    this.#readback = new Readback(device);
+    this.#readbacks = Array.from({ length: MAX_IN_FLIGHT }, () => new Readback(device));
     this.#film = new Film(device, width, height);
     this.#progress = new Progress(height);
     this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
@@ -166,16 +174,13 @@ export class PathTracer {
    */
   async setScene(scene: Scene): Promise<void> {
     const resolved = parseScene(scene);
-    const compiled = compileScene(resolved, this.#settings);
-    await this.#install(compiled, () => {
-      this.#scene = resolved;
-      this.#camera = resolved.camera;
-    });
+    await this.#install({ scene: resolved, camera: resolved.camera });
   }
 
   /** @throws {SceneError} The old camera stays. */
   setCamera(camera: Camera): void {
     const resolved = parseCamera(camera);
+    if (this.#pending) this.#pending = { ...this.#pending, camera: resolved };
     if (JSON.stringify(resolved) === JSON.stringify(this.#camera)) return;
     this.#camera = resolved;
     this.#stale = true;
@@ -183,7 +188,7 @@ export class PathTracer {
 
   /** In pixels, at least 1 × 1. */
   resize(width: number, height: number): void {
-    if (width === this.width && height === this.height) return;
+    if (this.#disposed || (width === this.width && height === this.height)) return;
     this.#film.dispose();
     this.#errorPass.dispose();
     this.#trace.dispose();
@@ -201,7 +206,7 @@ export class PathTracer {
     const shaping = ["maxBounces", "lightSamples", "estimator", "sampler", "seed"] as const;
     if (shaping.every((key) => before[key] === this.#settings[key])) return;
     this.#stale = true;
-    this.#install(compileScene(this.#scene, this.#settings), () => {}).catch((error: unknown) => {
+    this.#install(this.#pending ?? { scene: this.#scene, camera: this.#camera }).catch((error: unknown) => {
       this.#failure = error;
     });
   }
@@ -216,7 +221,8 @@ export class PathTracer {
    * done and `stats` are up to date.
    */
   async sample(count: number): Promise<void> {
-    while (this.#working || this.#compiling) await (this.#working ?? this.#compiling);
+    while (this.#working.size > 0 || this.#compiling) await Promise.all([...this.#working.values(), this.#compiling]);
+    if (this.#disposed) return;
     if (this.#stale) this.#restart();
     for (let taken = 0; taken < count && !this.stats.converged && !this.#disposed; ) {
       const wanted = Math.min(count - taken, this.#settings.maxSamples - this.#progress.samples);
@@ -244,7 +250,7 @@ export class PathTracer {
    */
   frame(): boolean {
     if (this.#failure !== undefined) throw this.#failure;
-    if (this.#disposed || this.#working) return false;
+    if (this.#disposed || this.#working.size === MAX_IN_FLIGHT) return false;
     // Finish the first pass of what is shown before following a moving camera, or a slow adapter would never show any.
     const isFirstPass = this.#progress.samples === 0 && !this.#progress.isBalanced;
     if (this.#stale && !isFirstPass) this.#restart();
@@ -259,17 +265,23 @@ export class PathTracer {
   /**
    * Draws the image on the context's current texture; nothing until there is a complete first sample, so that the canvas
    * keeps its last picture. The caller has configured the context with this tracer's `device`.
+   *
+   * @returns whether it drew.
    */
-  present(context: GPUCanvasContext, view: View = {}): void {
-    if (this.#disposed) return;
+  present(context: GPUCanvasContext, view: View = {}): boolean {
+    if (this.#disposed) return false;
     const now = performance.now();
     if (this.#presentedAt !== undefined) this.#frameRate.observe(1, (now - this.#presentedAt) / 1000);
     this.#presentedAt = now;
     this.stats.fps = this.#frameRate.perSecond;
     this.stats.frameMs = this.stats.fps > 0 ? 1000 / this.stats.fps : 0;
-    if (this.#progress.samples === 0) return;
-    if (this.#display instanceof Display) this.#display.draw(this.#film, context.getCurrentTexture(), view);
-    else this.#display ??= this.#createDisplay(context.getConfiguration()!.format);
+    if (this.#progress.samples === 0) return false;
+    if (!(this.#display instanceof Display)) {
+      this.#display ??= this.#createDisplay(context.getConfiguration()!.format);
+      return false;
+    }
+    this.#display.draw(this.#film, context.getCurrentTexture(), view);
+    return true;
   }
 
   /** Frees all GPU resources. Calling it again does nothing. */
@@ -278,7 +290,7 @@ export class PathTracer {
     this.#disposed = true;
     this.#trace.dispose();
     this.#errorPass.dispose();
-    this.#readback.dispose();
+    for (const readback of this.#readbacks) readback.dispose();
     this.#film.dispose();
     if (this.#display instanceof Display) this.#display.dispose();
     if (this.#ownsDevice) this.device.destroy();
@@ -290,29 +302,36 @@ export class PathTracer {
     else this.#display = display;
   }
 
-  /** Makes `compiled` what is rendered, compiling first if no program fits. A newer call overtakes an older one. */
-  async #install(compiled: CompiledScene, commit: () => void): Promise<void> {
+  /** Shows something else, compiling first if the program does not fit it. A newer call overtakes an older one. */
+  async #install(next: Shown): Promise<void> {
+    const compiled = compileScene(next.scene, this.#settings);
     if (programKey(compiled) === this.#program.key) {
       this.#compiling = undefined;
-      this.#compiled = compiled;
-      this.#stale = true;
-      commit();
+      this.#show(next, compiled);
       return;
     }
     const compiling = createProgram(this.device, compiled).then((program) => {
       if (this.#compiling !== compiling || this.#disposed) return;
       this.#compiling = undefined;
-      this.#compiled = compiled;
       this.#program = program;
       this.#trace.dispose();
       this.#trace = new TracePass(this.device, program.pipeline, compiled.uniform, this.#film);
       this.stats.compileSeconds = program.compileSeconds;
       this.stats.features = program.features;
-      commit();
+      this.#show(this.#pending ?? next, compiled);
       this.#restart();
     });
     this.#compiling = compiling;
+    this.#pending = next;
     await compiling;
+  }
+
+  #show({ scene, camera }: Shown, compiled: CompiledScene): void {
+    this.#pending = undefined;
+    this.#scene = scene;
+    this.#camera = camera;
+    this.#compiled = compiled;
+    this.#stale = true;
   }
 
   #restart(): void {
@@ -329,36 +348,42 @@ export class PathTracer {
     this.device.queue.submit([encoder.finish()]);
   }
 
-  /** Submits one slice and waits for it. With `patient`, sleeps through most of the wait instead of polling. */
+  /**
+   * Submits one slice, and resolves when the device is done with it. With `patient`, sleeps through most of the wait
+   * instead of polling. There must be a free readback.
+   */
   #work(budgetMs: number, maxCount: number, remaining: number, patient: boolean): Promise<void> {
-    this.#working = this.#submitSlice(budgetMs, maxCount, remaining, patient).finally(() => {
-      this.#working = undefined;
-    });
-    return this.#working;
-  }
-
-  async #submitSlice(budgetMs: number, maxCount: number, remaining: number, patient: boolean): Promise<void> {
+    const readback = this.#readbacks.find((candidate) => !this.#working.has(candidate))!;
     const progress = this.#progress;
+    const samplesBefore = progress.samples;
     const slice = progress.next(this.#pace.rowsFor(budgetMs, this.width, maxCount), maxCount, remaining);
-    const before = progress.samples;
     progress.finish(slice);
     const now = performance.now();
-    const isLast = progress.samples - before >= remaining;
+    const isLast = progress.samples - samplesBefore >= remaining;
     const wantsError = progress.samples >= 2 && (isLast || now - this.#errorAt > ERROR_INTERVAL_MS);
     if (wantsError) this.#errorAt = now;
 
     const encoder = this.device.createCommandEncoder({ label: "sample" });
-    this.#trace.encode(encoder, this.#frameUniforms(slice), this.#readback.timestampWrites);
+    this.#trace.encode(encoder, this.#frameUniforms(slice), readback.timestampWrites);
     if (wantsError) this.#errorPass.encode(encoder);
-    this.#readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
+    readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
     this.device.queue.submit([encoder.finish()]);
 
-    // Dawn in Node spins while a promise is pending, which takes a core from a software adapter: sleep first.
-    if (patient) await sleep(0.9 * this.#pace.predictMs(slice, this.width));
-    const report = await this.#readback.read(wantsError).catch((error: unknown) => {
-      if (!this.#disposed) throw error;
-    });
-    if (report && progress === this.#progress) this.#observe(slice, report, performance.now() - now);
+    const report = async () => {
+      // Dawn in Node spins while a promise is pending, which takes a core from a software adapter: sleep first.
+      if (patient) await sleep(0.9 * this.#pace.predictMs(slice, this.width));
+      const values = await readback.read(wantsError);
+      const started = Math.max(now, this.#finishedAt);
+      this.#finishedAt = performance.now();
+      if (progress === this.#progress) this.#observe(slice, values, this.#finishedAt - started);
+    };
+    const working = report()
+      .catch((error: unknown) => {
+        if (!this.#disposed) throw error;
+      })
+      .finally(() => this.#working.delete(readback));
+    this.#working.set(readback, working);
+    return working;
   }
 
   #observe(slice: Slice, { gpuMs, rays, badSamples, errorSums }: Report, wallMs: number): void {

@@ -5,7 +5,7 @@ const WINDOW_S = 1;
 export class Rate {
   #perSecond = 0;
 
-  /** Events per second; 0 until two measurements are known. */
+  /** Events per second; 0 before the first measurement. */
   get perSecond(): number {
     return this.#perSecond;
   }

@@ -8,7 +8,7 @@ import package::dimensions::{DIRECTION, LIGHT, LOBE, dimensionAt};
 import package::frame::{toLocal, toWorld};
 import package::lights::sampleLight;
 import package::ray::{Ray, makeRay};
-import package::sampler::{Sampler, point, subsample};
+import package::sampler::{Sampler, independent, point, subsample};
 import package::scene::{closestHit, environment, occluded};
 import package::surface::{Surface, surfaceAt};
 import package::uniforms::{countRay, frame};
@@ -38,7 +38,7 @@ fn Li(camera: Ray, samples: Sampler) -> vec3f {
 
     var choice = vec2f(0.0);
     @if(LOBES) choice = point(samples, dimensionAt(depth, LOBE));
-    @if(!LOBES) if (depth >= ROULETTE_DEPTH) { choice = point(samples, dimensionAt(depth, LOBE)); }
+    @if(!LOBES) choice.y = independent(samples, depth);
     let next = bsdfSample(surface.bsdf, surface.wo, point(samples, dimensionAt(depth, DIRECTION)), choice.x);
     beta *= next.weight;
     pdf = next.pdf;

@@ -1,0 +1,44 @@
+import { defineConfig } from "@playwright/test";
+import { findChromium } from "./src/cli/chromium";
+import { DEMO_URL, FIXTURE_URL } from "./tests/e2e/support/urls";
+import { SOFTWARE_WEBGPU_FLAGS } from "./tests/support/chromium";
+
+const executablePath = findChromium();
+if (executablePath === undefined) {
+  throw new Error(
+    "No Chromium found. Install one (apt-get install chromium, or npx playwright install --with-deps chromium), " +
+      "or name one in RT_VIEWER_CHROMIUM.",
+  );
+}
+
+const serve = (config: string, url: string) =>
+  `npx vite build --config ${config} && npx vite preview --config ${config} --port ${new URL(url).port} --strictPort`;
+
+/** The element and the demo in a real browser, on its software adapter. One test at a time: each wants the whole CPU. */
+export default defineConfig({
+  testDir: "tests/e2e",
+  outputDir: "tests/output/playwright",
+  workers: 1,
+  timeout: 45_000,
+  expect: { timeout: 15_000 },
+  forbidOnly: process.env.CI !== undefined,
+  // .ci/run adds up what the reports of vitest and Playwright count.
+  reporter: process.env.CI ? [["list"], ["json", { outputFile: "tests/output/playwright.json" }]] : "list",
+  use: {
+    viewport: { width: 800, height: 600 },
+    launchOptions: { executablePath, args: [...SOFTWARE_WEBGPU_FLAGS] },
+  },
+  webServer: [
+    // The fixture uses the package as built, so that is built first.
+    {
+      command: `npm run build && ${serve("tests/e2e/fixture/vite.config.ts", FIXTURE_URL)}`,
+      url: FIXTURE_URL,
+      reuseExistingServer: process.env.CI === undefined,
+    },
+    {
+      command: serve("demo/vite.config.ts", DEMO_URL),
+      url: DEMO_URL,
+      reuseExistingServer: process.env.CI === undefined,
+    },
+  ],
+});

@@ -1,0 +1,51 @@
+/** What an attribute that holds a number may hold. Anything else counts as if the attribute were absent. */
+export type NumberRule = {
+  readonly min: number;
+  readonly max: number;
+  readonly isInteger: boolean;
+};
+
+/** The attributes that are settings of the tracer, by the name of the setting. */
+export const SETTING_ATTRIBUTES = {
+  maxBounces: { attribute: "max-bounces", min: 0, max: 1024, isInteger: true },
+  samplesPerFrame: { attribute: "samples-per-frame", min: 1, max: 1024, isInteger: true },
+  lightSamples: { attribute: "light-samples", min: 1, max: 1024, isInteger: true },
+  targetError: { attribute: "target-error", min: 0, max: Number.MAX_VALUE, isInteger: false },
+  maxSamples: { attribute: "max-samples", min: 1, max: Number.POSITIVE_INFINITY, isInteger: true },
+} as const;
+
+/** A setting that has an attribute. */
+export type SettingName = keyof typeof SETTING_ATTRIBUTES;
+
+export const SETTING_NAMES = Object.keys(SETTING_ATTRIBUTES) as readonly SettingName[];
+
+/** Stops; 2^±32 is more than any display or scene spans, and keeps the product finite. */
+export const EXPOSURE_RULE: NumberRule = { min: -32, max: 32, isInteger: false };
+
+/** Every attribute the element reacts to. */
+export const OBSERVED_ATTRIBUTES: readonly string[] = [
+  "src",
+  "controls",
+  "stats",
+  "paused",
+  "alt",
+  "exposure",
+  ...SETTING_NAMES.map((name) => SETTING_ATTRIBUTES[name].attribute),
+];
+
+/** The setting an attribute stands for, if any. */
+export function settingOfAttribute(attribute: string): SettingName | undefined {
+  return SETTING_NAMES.find((name) => SETTING_ATTRIBUTES[name].attribute === attribute);
+}
+
+/**
+ * Reads a number as HTML does, forgivingly: an absent, malformed or out-of-range value is `undefined` and the default
+ * applies.
+ */
+export function parseNumber(text: string | null, rule: NumberRule): number | undefined {
+  if (text === null || text.trim() === "") return undefined;
+  const value = Number(text);
+  if (!(value >= rule.min && value <= rule.max)) return undefined;
+  if (rule.isInteger && !Number.isInteger(value) && value !== Number.POSITIVE_INFINITY) return undefined;
+  return value;
+}

@@ -1,0 +1,33 @@
+import { SceneError, type SceneIssue, UnsupportedError, WebGpuError } from "../errors";
+
+/** What the element says in place of a picture: plain text, to be set as `textContent`. */
+export type ErrorText = {
+  readonly title: string;
+  /** One line each. */
+  readonly lines: readonly string[];
+  /** Whether the lines speak of code: paths into a scene. */
+  readonly isCode?: boolean;
+};
+
+/** Puts an error into words for the reader of the page. */
+export function describeError(error: Error): ErrorText {
+  if (error instanceof SceneError) return describeIssues(error.issues);
+  if (error instanceof UnsupportedError) return { title: "This scene cannot be shown yet", lines: [error.message] };
+  if (error instanceof WebGpuError) return { title: "No picture without WebGPU", lines: [error.message] };
+  return { title: "The scene could not be loaded", lines: [error.message] };
+}
+
+/** Why this page has no WebGPU, in words that say what to do; `undefined` where it has. */
+export function missingWebGpu(page: { readonly hasGpu: boolean; readonly isSecure: boolean }): string | undefined {
+  if (page.hasGpu) return undefined;
+  if (!page.isSecure) return "WebGPU needs a secure page: serve it over https, or from localhost.";
+  return "This browser has no WebGPU. Recent versions of Chrome, Edge, Safari and Firefox do; it may need to be enabled.";
+}
+
+function describeIssues(issues: readonly SceneIssue[]): ErrorText {
+  return {
+    title: issues.length === 1 ? "The scene has a mistake" : `The scene has ${issues.length} mistakes`,
+    lines: issues.map(({ path, message }) => `${path || "scene"}: ${message}`),
+    isCode: true,
+  };
+}

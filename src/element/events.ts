@@ -1,0 +1,60 @@
+import type { PathTracer } from "../renderer/pathTracer";
+
+/** `ready`: the scene is loaded and compiled and its first picture is on the page. Once per scene. */
+export type ReadyDetail = {
+  readonly tracer: PathTracer;
+  /** Milliseconds from the moment the scene was asked for (the element connected, or `src` or `scene` set). */
+  readonly milliseconds: number;
+};
+
+/** `progress`: more samples are in the picture. At most ten times a second. */
+export type ProgressDetail = {
+  /** Samples per pixel so far. */
+  readonly samples: number;
+  /** Estimated relative RMSE of the picture; `Infinity` until known. */
+  readonly error: number;
+};
+
+/** `converged`: `targetError` or `maxSamples` has been reached; sampling rests until something changes. */
+export type ConvergedDetail = ProgressDetail;
+
+/** `error`: the scene cannot be shown. The element says why in its place. */
+export type ErrorDetail = {
+  /** A `SceneError` lists every issue; a `WebGpuError` is about the device; otherwise the file could not be read. */
+  readonly error: Error;
+};
+
+/** The events of `<rt-viewer>`. None of them bubbles. */
+export interface RtViewerEventMap {
+  ready: CustomEvent<ReadyDetail>;
+  progress: CustomEvent<ProgressDetail>;
+  converged: CustomEvent<ConvergedDetail>;
+  error: CustomEvent<ErrorDetail>;
+}
+
+/** Every event an `<rt-viewer>` can receive: its own, and those of any HTML element. */
+type Events = RtViewerEventMap & Omit<HTMLElementEventMap, keyof RtViewerEventMap>;
+
+/** An HTML element whose listeners are given the events of `<rt-viewer>`. */
+export interface RtViewerEventTarget extends HTMLElement {
+  addEventListener<K extends keyof Events>(
+    type: K,
+    listener: (this: this, event: Events[K]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<K extends keyof Events>(
+    type: K,
+    listener: (this: this, event: Events[K]) => void,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
+}

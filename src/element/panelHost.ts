@@ -1,0 +1,53 @@
+import type { Panel, PanelKnobs, PanelOptions } from "../panel/panel";
+import type { Stats } from "../renderer/stats";
+
+/** What the panel shows and whom it tells. */
+export type PanelSource = Pick<PanelOptions, "stats" | "knobs" | "onChange" | "onReset" | "isPaused">;
+
+/** Below this the panel would hide the picture, so it starts folded. CSS pixels. */
+const ROOMY = { width: 400, height: 260 };
+
+/** The corner of the element where the panel sits. The panel's code is loaded when it is shown for the first time. */
+export class PanelHost {
+  readonly element: HTMLElement;
+  #panel: Panel | undefined;
+  #stats: Stats | undefined;
+  /** Counts calls of `show` and `hide`: what was asked for last, holds. */
+  #turn = 0;
+
+  constructor(document: Document) {
+    this.element = document.createElement("div");
+    this.element.className = "panel";
+    this.element.setAttribute("part", "panel");
+  }
+
+  /** Shows a panel for this source, in place of one for other stats. Fails if the panel's code cannot be loaded. */
+  async show(source: PanelSource, isFolded: boolean): Promise<void> {
+    if (this.#stats === source.stats) return this.setKnobs(source.knobs);
+    this.hide();
+    this.#stats = source.stats;
+    const turn = this.#turn;
+    const { createPanel } = await import("../panel/panel");
+    if (turn !== this.#turn) return;
+    const room = this.element.parentNode instanceof ShadowRoot ? this.element.parentNode.host : this.element;
+    const isExpanded = !isFolded && room.clientWidth >= ROOMY.width && room.clientHeight >= ROOMY.height;
+    this.#panel = createPanel({ container: this.element, isExpanded, ...source });
+  }
+
+  hide(): void {
+    this.#turn += 1;
+    this.#panel?.dispose();
+    this.#panel = undefined;
+    this.#stats = undefined;
+  }
+
+  /** Shows knobs that were turned elsewhere. */
+  setKnobs(knobs: PanelKnobs): void {
+    this.#panel?.setKnobs(knobs);
+  }
+
+  /** To be called every frame; cheap. */
+  refresh(): void {
+    this.#panel?.refresh();
+  }
+}

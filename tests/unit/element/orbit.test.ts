@@ -1,0 +1,100 @@
+import { describe, expect, it } from "vitest";
+import { vec3n } from "wgpu-matrix";
+import { distanceLimitsFor, orbitBy, panBy, zoomBy } from "../../../src/element/orbit";
+import type { ResolvedCamera } from "../../../src/scene/schema";
+
+const camera: ResolvedCamera = { position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 90 };
+const tilted: ResolvedCamera = { position: [1, 2, 3], target: [-2, 0.5, 1], up: [0.3, 1, -0.2], verticalFov: 40 };
+
+const distanceOf = ({ position, target }: ResolvedCamera) => vec3n.distance(position, target);
+const elevationOf = ({ position, target, up }: ResolvedCamera) =>
+  Math.PI / 2 - vec3n.angle(vec3n.subtract(position, target), up);
+const expectNear = (actual: readonly number[], wanted: readonly number[]) => {
+  actual.forEach((value, axis) => {
+    expect(value).toBeCloseTo(wanted[axis]!, 9);
+  });
+};
+
+describe("orbitBy", () => {
+  it("turns a quarter to the right around up", () => {
+    expectNear(orbitBy(camera, Math.PI / 2, 0).position, [5, 0, 0]);
+  });
+
+  it("rises by the angle asked for", () => {
+    expectNear(orbitBy(camera, 0, Math.PI / 6).position, [0, 2.5, 5 * Math.cos(Math.PI / 6)]);
+  });
+
+  it.each([camera, tilted])("comes back to where it was after a full turn", (start) => {
+    let moved = start;
+    for (let step = 0; step < 360; step++) moved = orbitBy(moved, Math.PI / 180, 0);
+    expectNear(moved.position, start.position);
+  });
+
+  it("keeps the distance through thousands of steps", () => {
+    let moved = tilted;
+    for (let step = 0; step < 10_000; step++) moved = orbitBy(moved, Math.sin(step), Math.cos(3 * step) / 10);
+    // 10⁴ steps of a few roundings each, 1e-16 relative.
+    expect(distanceOf(moved)).toBeCloseTo(distanceOf(tilted), 10);
+  });
+
+  it.each([1, -1])("stops short of the pole, direction %d", (direction) => {
+    let moved = tilted;
+    for (let step = 0; step < 50; step++) moved = orbitBy(moved, 0.01, direction);
+    expect(Math.abs(elevationOf(moved))).toBeLessThan(Math.PI / 2 - 0.009);
+    expect(Math.abs(elevationOf(moved))).toBeGreaterThan(Math.PI / 2 - 0.011);
+  });
+
+  it("leaves a camera that looks straight down its up vector with finite numbers", () => {
+    const moved = orbitBy({ ...camera, position: [0, 5, 0] }, 0.1, -0.1);
+    expect(moved.position.every(Number.isFinite)).toBe(true);
+    expect(distanceOf(moved)).toBeCloseTo(5);
+  });
+});
+
+describe("zoomBy", () => {
+  it("scales the distance and keeps the direction", () => {
+    expectNear(zoomBy(camera, 0.5).position, [0, 0, 2.5]);
+  });
+
+  it("keeps within limits made for the scene, and above 0", () => {
+    const limits = distanceLimitsFor(camera);
+    let near = camera;
+    let far = camera;
+    for (let step = 0; step < 1000; step++) {
+      near = zoomBy(near, 0.5, limits);
+      far = zoomBy(far, 2, limits);
+    }
+    expect(distanceOf(near)).toBeCloseTo(0.05);
+    expect(distanceOf(far)).toBeCloseTo(500);
+  });
+});
+
+describe("panBy", () => {
+  it("moves what is at the target's distance by the share of the picture's height", () => {
+    // 90° at distance 5: the picture is 10 m high, and its content moves right and up as the camera moves left and down.
+    const moved = panBy(camera, 0.1, 0.2);
+    expectNear(moved.target, [-1, -2, 0]);
+    expectNear(moved.position, [-1, -2, 5]);
+  });
+
+  it("does not turn the view", () => {
+    const moved = panBy(tilted, 0.3, -0.4);
+    expectNear(vec3n.subtract(moved.position, moved.target), vec3n.subtract(tilted.position, tilted.target));
+  });
+});
+
+describe("a step that cannot be carried out", () => {
+  const { NaN: nan, POSITIVE_INFINITY: infinity } = Number;
+  const onTarget = { ...camera, position: camera.target };
+
+  it.each([
+    ["not a number", () => orbitBy(camera, nan, 0), camera],
+    ["an infinite angle", () => orbitBy(camera, 0, infinity), camera],
+    ["an infinite pan", () => panBy(camera, infinity, 0), camera],
+    ["a zoom by 0", () => zoomBy(camera, 0), camera],
+    ["a zoom by infinity", () => zoomBy(camera, infinity), camera],
+    ["a camera on its target", () => orbitBy(onTarget, 1, 1), onTarget],
+  ])("gives back the camera as it was: %s", (_, step, wanted) => {
+    expect(step()).toBe(wanted);
+  });
+});

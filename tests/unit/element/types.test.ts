@@ -1,0 +1,27 @@
+import { expectTypeOf, it } from "vitest";
+import type { RtViewerElement } from "../../../src/element";
+import type { Stats } from "../../../src/renderer/stats";
+
+it("listeners know the details of the element's events, and the events of any element", () => {
+  const listen = (viewer: RtViewerElement) => {
+    viewer.addEventListener("ready", ({ detail }) => expectTypeOf(detail.milliseconds).toBeNumber());
+    viewer.addEventListener("progress", ({ detail }) => expectTypeOf(detail.samples).toBeNumber());
+    viewer.addEventListener("error", ({ detail }) => expectTypeOf(detail.error).toEqualTypeOf<Error>());
+    viewer.addEventListener("keydown", ({ key }) => expectTypeOf(key).toBeString());
+    viewer.addEventListener("something-else", (event) => expectTypeOf(event).toEqualTypeOf<Event>());
+  };
+  expectTypeOf(listen).toBeFunction();
+});
+
+it("the document knows the tag", () => {
+  const find = (page: Document) => page.querySelector("rt-viewer");
+  expectTypeOf(find).returns.toEqualTypeOf<RtViewerElement | null>();
+});
+
+it("stats are read as figures and written as a switch", () => {
+  expectTypeOf<RtViewerElement["stats"]>().toEqualTypeOf<Stats | undefined>();
+  const show = (viewer: RtViewerElement) => {
+    viewer.stats = true;
+  };
+  expectTypeOf(show).toBeFunction();
+});
