@@ -54,7 +54,7 @@ export class ErrorPass {
 
 /**
  * Estimated relative RMSE: sqrt(mean squared error) / mean, over all pixels and channels. `Infinity` until both halves of
- * some pixel hold a sample; 0 for a black image.
+ * some pixel hold a sample, and while all samples are black: the light may only not have been found yet.
  */
 export function relativeError(partialSums: Float32Array): number {
   let squaredError = 0;
@@ -65,8 +65,7 @@ export function relativeError(partialSums: Float32Array): number {
     radiance += partialSums[i + 1]!;
     pixels += partialSums[i + 2]!;
   }
-  if (pixels === 0) return Number.POSITIVE_INFINITY;
-  if (squaredError === 0) return 0;
+  if (radiance === 0) return Number.POSITIVE_INFINITY;
   const values = 3 * pixels;
   return Math.sqrt(squaredError / values) / (radiance / values);
 }

@@ -254,8 +254,8 @@ export class PathTracer {
     // Finish the first pass of what is shown before following a moving camera, or a slow adapter would never show any.
     const isFirstPass = this.#progress.samples === 0 && !this.#progress.isBalanced;
     if (this.#stale && !isFirstPass) this.#restart();
-    if (this.stats.converged) return false;
     const remaining = this.#settings.maxSamples - this.#progress.samples;
+    if (this.stats.converged || remaining <= 0) return false;
     this.#work(FRAME_BUDGET_MS, this.#settings.samplesPerFrame, remaining, false).catch((error: unknown) => {
       this.#failure = error;
     });
@@ -323,7 +323,9 @@ export class PathTracer {
     });
     this.#compiling = compiling;
     this.#pending = next;
-    await compiling;
+    await compiling.finally(() => {
+      if (this.#compiling === compiling) this.#compiling = undefined;
+    });
   }
 
   #show({ scene, camera }: Shown, compiled: CompiledScene): void {
@@ -359,8 +361,9 @@ export class PathTracer {
     const slice = progress.next(this.#pace.rowsFor(budgetMs, this.width, maxCount), maxCount, remaining);
     progress.finish(slice);
     const now = performance.now();
-    const isLast = progress.samples - samplesBefore >= remaining;
-    const wantsError = progress.samples >= 2 && (isLast || now - this.#errorAt > ERROR_INTERVAL_MS);
+    const samples = progress.samples;
+    const isLast = samples - samplesBefore >= remaining;
+    const wantsError = samples >= 2 && (isLast || now - this.#errorAt > ERROR_INTERVAL_MS);
     if (wantsError) this.#errorAt = now;
 
     const encoder = this.device.createCommandEncoder({ label: "sample" });
@@ -372,10 +375,11 @@ export class PathTracer {
     const report = async () => {
       // Dawn in Node spins while a promise is pending, which takes a core from a software adapter: sleep first.
       if (patient) await sleep(0.9 * this.#pace.predictMs(slice, this.width));
+      if (this.#disposed) return;
       const values = await readback.read(wantsError);
       const started = Math.max(now, this.#finishedAt);
       this.#finishedAt = performance.now();
-      if (progress === this.#progress) this.#observe(slice, values, this.#finishedAt - started);
+      if (progress === this.#progress) this.#observe(slice, samples, values, this.#finishedAt - started);
     };
     const working = report()
       .catch((error: unknown) => {
@@ -386,7 +390,8 @@ export class PathTracer {
     return working;
   }
 
-  #observe(slice: Slice, { gpuMs, rays, badSamples, errorSums }: Report, wallMs: number): void {
+  /** Takes note of a finished slice, after which every pixel held `samples`. */
+  #observe(slice: Slice, samples: number, { gpuMs, rays, badSamples, errorSums }: Report, wallMs: number): void {
     const ms = gpuMs ?? wallMs;
     this.#pace.observe(slice, this.width, ms);
     this.#pathRate.observe(pathsOf(slice, this.width), ms / 1000);
@@ -395,7 +400,7 @@ export class PathTracer {
     stats.gpuMs = ms;
     stats.pathsPerSecond = this.#pathRate.perSecond;
     stats.raysPerSecond = this.#rayRate.perSecond;
-    stats.samples = this.#progress.samples;
+    stats.samples = samples;
     stats.badSamples += badSamples;
     if (errorSums) stats.error = relativeError(errorSums);
     this.#updateConverged();

@@ -8,9 +8,9 @@ export type Stats = {
   gpuMs: number;
   /** Samples per pixel accumulated so far. */
   samples: number;
-  /** Camera paths traced per second. */
+  /** Camera paths traced per second of the device's work. */
   pathsPerSecond: number;
-  /** Rays (camera, scattered and shadow rays) traced per second. */
+  /** Rays (camera, scattered and shadow rays) traced per second of the device's work. */
   raysPerSecond: number;
   /** Estimated relative RMSE of the image, `Infinity` until both halves of the film hold a sample. */
   error: number;

@@ -1,0 +1,194 @@
+import { readFileSync } from "node:fs";
+import { describe, expect, test } from "vitest";
+import { LIGHT_KINDS } from "../../../src/compile/emitters";
+import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
+import type { Light, Material, SceneObject } from "../../../src/scene/schema";
+import { compile, sceneOf, unpack } from "../../support/compiled";
+
+const BALL = sphere({ center: [1, 2, 3], radius: 0.5, material: "it" });
+const QUAD = quad({ corner: [0, 0, 0], edge1: [2, 0, 0], edge2: [0, 4, 0], material: "it" });
+
+function pack(objects: readonly SceneObject[], lights: readonly Light[] = [], it: Material = { ior: 1 }) {
+  return unpack(compile(sceneOf(objects, lights, { it })));
+}
+
+/** Numbers as f32 keeps them: the nearest of 24 bits. */
+function f32(values: readonly number[]): unknown[] {
+  return values.map((value) => Math.fround(value));
+}
+
+test("the environment comes first", () => {
+  const scene = { ...sceneOf([]), environment: { radiance: [0.1, 2, 30] as const } };
+  expect(unpack(compile(scene)).environment).toEqual(f32([0.1, 2, 30, 0]));
+});
+
+describe("materials", () => {
+  const packed = (material: Material) => pack([BALL], [], material).materials[0]!;
+  const baseColor = [0.5, 0.25, 0.125] as const;
+
+  test("a surface without an interface is Lambert alone: no reflectance at any angle", () => {
+    expect(packed({ baseColor, ior: 1, roughness: 0.5 })).toMatchObject({
+      diffuse: baseColor,
+      F0: [0, 0, 0],
+      f0: 0,
+      f90: 0,
+    });
+  });
+
+  test("a dielectric reflects ((ior − 1)/(ior + 1))² at normal incidence, whatever its colour", () => {
+    expect(packed({ baseColor, ior: 3 })).toMatchObject({
+      diffuse: baseColor,
+      F0: [0.25, 0.25, 0.25],
+      f0: 0.25,
+      f90: 1,
+    });
+  });
+
+  test("a metal reflects its colour and has no diffuse part", () => {
+    expect(packed({ baseColor, metallic: 1, ior: 3 })).toMatchObject({ diffuse: [0, 0, 0], F0: baseColor, f90: 1 });
+  });
+
+  test("between the two everything is mixed", () => {
+    const material = packed({ baseColor, metallic: 0.25, ior: 3 });
+    expect(material).toMatchObject({
+      diffuse: [0.375, 0.1875, 0.09375],
+      F0: [0.3125, 0.25, 0.21875], // 0.75 · 0.25 + 0.25 · baseColor
+      f0: 0.25,
+    });
+  });
+
+  test.each([
+    [1, 1],
+    [0.5, 0.25],
+    [0, 0],
+  ])("roughness %d is α = %d", (roughness, alpha) => {
+    expect(packed({ roughness })).toMatchObject({ alpha });
+  });
+
+  test("masking is a flag", () => {
+    expect(packed({})).toMatchObject({ schlickBeckmann: 0 });
+    expect(packed({ masking: "schlick-beckmann" })).toMatchObject({ schlickBeckmann: 1 });
+  });
+
+  test("emission is as written; a sphere light's body is black", () => {
+    expect(packed({ emission: [1, 20, 0.5] })).toMatchObject({ emission: [1, 20, 0.5] });
+    const light = sphereLight({ position: [0, 0, 0], radius: 1 / Math.PI, power: [4, 8, 12] });
+    expect(pack([], [light]).materials).toEqual([
+      expect.objectContaining({ diffuse: [0, 0, 0], F0: [0, 0, 0], f90: 0, emission: f32([1, 2, 3]) }),
+    ]);
+  });
+
+  test("two objects of one material have a row each", () => {
+    expect(pack([BALL, QUAD], [], { baseColor, ior: 1 }).materials).toMatchObject([
+      { diffuse: baseColor },
+      { diffuse: baseColor },
+    ]);
+  });
+});
+
+describe("the density of light sampling", () => {
+  const glow: Material = { ior: 1, emission: [1, 1, 1] };
+  const densityOf = (object: SceneObject) => pack([object], [], glow).materials[0]!.lightDensity;
+  const dark = plane({ point: [0, 0, 0], normal: [0, 1, 0], material: "lambert" });
+
+  test("is 0 on what does not emit", () => {
+    expect(pack([dark, QUAD], [], glow).materials[0]).toMatchObject({ lightDensity: 0 });
+  });
+
+  test("is per area on flat emitters", () => {
+    expect(densityOf(QUAD)).toBe(1 / 8);
+    const vertices = [
+      [0, 0, 0],
+      [2, 0, 0],
+      [0, 2, 0],
+    ] as const;
+    expect(densityOf(triangle({ vertices, material: "it" }))).toBe(1 / 2);
+    expect(densityOf(box({ center: [0, 0, 0], size: [2, 2, 2], material: "it" }))).toBeCloseTo(1 / 24, 7);
+  });
+
+  test("is the probability of the choice on spheres", () => {
+    expect(densityOf(BALL)).toBe(1);
+  });
+
+  test("is 0 on an infinite plane, which is never sampled", () => {
+    expect(densityOf(plane({ point: [0, 0, 0], normal: [0, 1, 0], material: "it" }))).toBe(0);
+  });
+
+  test("is 0 on a triangle without area", () => {
+    const vertices = [
+      [0, 0, 0],
+      [1, 0, 0],
+      [2, 0, 0],
+    ] as const;
+    expect(densityOf(triangle({ vertices, material: "it" }))).toBe(0);
+  });
+
+  test("counts the choice among several", () => {
+    // 3·π·8 W and 3·8π W: the same.
+    const point = pointLight({ position: [0, 9, 0], power: [8 * Math.PI, 8 * Math.PI, 8 * Math.PI] });
+    expect(pack([QUAD], [point], glow).materials[0]!.lightDensity).toBeCloseTo(1 / 16, 7);
+  });
+});
+
+test("a shape is a sphere's centre and radius, or a flat primitive's unit normal and 0", () => {
+  const slanted = plane({ point: [7, 7, 7], normal: [0, 3, 4], material: "it" });
+  expect(pack([BALL, slanted, QUAD]).shapes).toEqual([[1, 2, 3, 0.5], f32([0, 0.6, 0.8, 0]), [0, 0, 1, 0]]);
+});
+
+test("a box is told by its fourth component, -1: its normal depends on the point", () => {
+  expect(pack([box({ center: [5, 5, 5], size: [1, 1, 1], material: "it" })]).shapes[0]![3]).toBe(-1);
+});
+
+describe("lights", () => {
+  const constants = ["lights", "constants"]
+    .map((module) => readFileSync(new URL(`../../../src/wgsl/${module}.wgsl`, import.meta.url), "utf8"))
+    .join("\n");
+  const constant = (name: string) => Number(new RegExp(`const ${name} = (\\w+)u;`).exec(constants)![1]);
+
+  test("kinds have the numbers that the shader compares with", () => {
+    expect(LIGHT_KINDS).toEqual({
+      sphere: constant("SPHERE_LIGHT"),
+      quad: constant("QUAD_LIGHT"),
+      triangle: constant("TRIANGLE_LIGHT"),
+      point: constant("POINT_LIGHT"),
+    });
+  });
+
+  test("a quad is its corner, edges, area and radiance, and names its primitive", () => {
+    const dark = sphere({ center: [9, 9, 9], radius: 1, material: "lambert" });
+    expect(pack([dark, QUAD], [], { ior: 1, emission: [3, 2, 1] }).lights).toEqual([
+      {
+        kind: LIGHT_KINDS.quad,
+        position: [0, 0, 0],
+        edge1: [2, 0, 0],
+        edge2: [0, 4, 0],
+        size: 8,
+        radiance: [3, 2, 1],
+        id: 1,
+        start: 0,
+        probability: 1,
+      },
+    ]);
+  });
+
+  test("a point has an intensity and no primitive", () => {
+    const [light] = pack(
+      [],
+      [pointLight({ position: [1, 2, 3], power: [4, 8, 12].map((x) => x * Math.PI) as never })],
+    ).lights;
+    expect(light).toMatchObject({ kind: LIGHT_KINDS.point, position: [1, 2, 3], size: 0, id: constant("NONE") });
+    expect(light).toMatchObject({ radiance: [1, 2, 3], probability: 1 });
+  });
+
+  test("each starts where the one before ends", () => {
+    const point = (power: number) => pointLight({ position: [0, 0, 0], power: [power, power, power] });
+    const { lights } = pack([], [point(1), point(0), point(2), point(5)]);
+    expect(lights.map(({ start }) => start)).toEqual([0, 1 / 8, 1 / 8, 3 / 8]);
+    expect(lights.map(({ probability }) => probability)).toEqual([1 / 8, 0, 1 / 4, 5 / 8]);
+  });
+});
+
+test("the slots hold the numbers of the intersection functions", () => {
+  const slots = pack([BALL, plane({ point: [0, -7, 0], normal: [0, 1, 0], material: "it" })]).slots.flat();
+  for (const value of [1, 2, 3, 0.5, -7]) expect(slots).toContain(value);
+});

@@ -1,0 +1,39 @@
+import { expect, test } from "vitest";
+import { Slots } from "../../../src/compile/values";
+
+test("a scalar fills the fourth component of a vector's slot", () => {
+  const slots = new Slots();
+  expect(slots.vec3([1, 2, 3])).toBe("scene.slots[0].xyz");
+  expect(slots.scalar(4)).toBe("scene.slots[0].w");
+  expect(slots.numbers).toEqual([1, 2, 3, 4]);
+});
+
+test("a scalar without a vector before it opens a slot of its own", () => {
+  const slots = new Slots();
+  expect(slots.scalar(7)).toBe("scene.slots[0].x");
+  expect(slots.numbers).toEqual([7, 0, 0, 0]);
+});
+
+test("free components are filled in order, each once", () => {
+  const slots = new Slots();
+  slots.vec3([1, 2, 3]);
+  slots.vec3([4, 5, 6]);
+  const names = [8, 9, 10].map((value) => slots.scalar(value));
+  expect(names).toEqual(["scene.slots[0].w", "scene.slots[1].w", "scene.slots[2].x"]);
+  expect(slots.numbers).toEqual([1, 2, 3, 8, 4, 5, 6, 9, 10, 0, 0, 0]);
+});
+
+test("every name reads back its own value, whatever the order", () => {
+  const slots = new Slots();
+  const named = new Map<string, number[]>();
+  for (let i = 1; i <= 50; i++) {
+    if (i % 3 === 0) named.set(slots.scalar(i), [i]);
+    else named.set(slots.vec3([i, i + 0.25, i + 0.5]), [i, i + 0.25, i + 0.5]);
+  }
+  expect(named.size).toBe(50);
+  for (const [name, value] of named) {
+    const [, slot, components] = /^scene\.slots\[(\d+)\]\.([xyzw]+)$/.exec(name)!;
+    const read = [...components!].map((component) => slots.numbers[4 * Number(slot) + "xyzw".indexOf(component)]);
+    expect(read, name).toEqual(value);
+  }
+});
