@@ -1,11 +1,13 @@
 import { UnsupportedError } from "../errors";
-import type { ResolvedScene, Vec3 } from "../scene/schema";
+import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
+import { canBlock } from "./blockers";
 import { emitScene } from "./emitScene";
 import { emittersOf } from "./emitters";
 import { deriveFeatures, describeFeatures, type Features, type ProgramSettings } from "./features";
 import { packScene } from "./packScene";
-import { primitivesOf } from "./primitives";
-import { Slots } from "./values";
+import { primitivesOf, type Shape } from "./primitives";
+import { Literals, Slots } from "./values";
+import { subtract } from "./vec3";
 
 // maxUniformBufferBindingSize of every WebGPU device.
 const MAX_UNIFORM_BYTES = 65536;
@@ -19,6 +21,8 @@ export type CompiledScene = {
   readonly description: readonly string[];
   /** Contents of the uniform `scene`. */
   readonly uniform: ArrayBuffer;
+  /** What rays can hit, relative to `origin`. */
+  readonly shapes: readonly Shape[];
   /** The scene's point that is the shader's origin; subtract it from the camera's position. */
   readonly origin: Vec3;
 };
@@ -27,9 +31,16 @@ export type CompiledScene = {
  * Compiles a scene to generated WGSL and the data it reads. Pure, and quick enough for every change of a value: linking,
  * which is not, is needed only when `sceneModule` or `features` differ from before.
  *
+ * @param restingCamera - given one, values stand in the text as constants, and what they rule out, seen from that camera,
+ * is left out. Faster to run, good for this scene only, and the same image up to rounding. Without one, values live in the
+ * uniform, and the text depends only on what kinds of things there are.
  * @throws {UnsupportedError} if the scene holds something that can't be rendered yet.
  */
-export function compileScene(scene: ResolvedScene, settings: ProgramSettings): CompiledScene {
+export function compileScene(
+  scene: ResolvedScene,
+  settings: ProgramSettings,
+  restingCamera?: ResolvedCamera,
+): CompiledScene {
   // What the camera looks at is where digits matter. Subtracted in doubles, before anything is rounded to f32, it makes a
   // scene far from the world's origin as precise as one around it.
   const origin = scene.camera.target;
@@ -43,12 +54,27 @@ export function compileScene(scene: ResolvedScene, settings: ProgramSettings): C
     settings,
   );
   const slots = new Slots();
-  const sceneModule = emitScene(primitives, emitters, features, slots, () => slots.numbers.length / 4);
+  const camera = restingCamera && subtract(restingCamera.position, origin);
+  const sceneModule = emitScene(
+    primitives,
+    emitters,
+    features,
+    camera ? new Literals() : slots,
+    () => slots.numbers.length / 4,
+    (id) => camera === undefined || canBlock(id, primitives, emitters, camera),
+  );
   const uniform = packScene(primitives, emitters, environment, slots.numbers);
   if (uniform.byteLength > MAX_UNIFORM_BYTES) {
     throw new UnsupportedError(
       `the scene's ${primitives.length} objects need ${uniform.byteLength} bytes of uniforms; there are ${MAX_UNIFORM_BYTES}. Use fewer objects`,
     );
   }
-  return { sceneModule, features, description: describeFeatures(primitives, emitters, features), uniform, origin };
+  return {
+    sceneModule,
+    features,
+    description: [...describeFeatures(primitives, emitters, features), ...(camera ? ["values as constants"] : [])],
+    uniform,
+    shapes: primitives.map(({ shape }) => shape),
+    origin,
+  };
 }

@@ -2,19 +2,30 @@
 // Numbers come from validated scenes only and names from this file; no user text reaches WGSL.
 
 import type { Vec3 } from "../scene/schema";
+import type { StructFields, StructLayout } from "./defineStruct";
 import type { Emitter } from "./emitters";
 import type { Features } from "./features";
+import { LIGHT, MATERIAL } from "./layouts";
+import { anchorRows, lightRows, materialRows, shapeRow } from "./packScene";
 import { type Primitive, type Shape, unreachable } from "./primitives";
-import type { Values } from "./values";
-import { add, cross, length, scale } from "./vec3";
+import { dualWithRim, inCommonOrder, withRim } from "./rims";
+import type { RowType, Values } from "./values";
+import { add, cross, length, scale, subtract } from "./vec3";
 
-/** The text of module `scene`, given how numbers are named and how many slots the uniform holds in the end. */
+/**
+ * The text of module `scene`.
+ *
+ * @param values - how numbers are named.
+ * @param slotCount - how many slots the uniform holds, once all numbers are named.
+ * @param blocks - whether primitive `id` can come between a shaded point and a light.
+ */
 export function emitScene(
   primitives: readonly Primitive[],
   emitters: readonly Emitter[],
   features: Features,
   values: Values,
   slotCount: () => number,
+  blocks: (id: number) => boolean,
 ): string {
   const sampled = new Set(emitters.map((emitter) => emitter.primitive));
   const emitted = primitives.map(({ shape }, id) => emitPrimitive(shape, id, values));
@@ -25,6 +36,7 @@ export function emitScene(
     .map(({ distance }, id) => {
       const isTarget = sampled.has(id);
       if (isTarget && emitters.length === 1) return ""; // a light never hides itself
+      if (!blocks(id)) return "";
       const other = isTarget ? ` & (target_ != ${id}u)` : "";
       return `  blocked |= between(${distance}, distance, ${id}u, ray)${other};\n`;
     })
@@ -39,7 +51,7 @@ import package::lights::Light;
 import package::planar::{planeIntersect, planeIntersectX, planeIntersectY, planeIntersectZ, quadIntersect,
   quadIntersectX, quadIntersectY, quadIntersectZ, shearOf, triangleIntersect};
 import package::ray::{Hit, Ray, between, nearer, noHit};
-import package::sphere::sphereIntersect;
+import package::sphere::{hugeSphereIntersect, sphereIntersect};
 import package::surface::Material;
 
 struct Scene {
@@ -47,6 +59,8 @@ struct Scene {
   materials: array<Material, ${Math.max(primitives.length, 1)}>,
   // Centre and radius of a sphere; unit normal and 0 of a flat primitive; a box has only w, -1.
   shapes: array<vec4f, ${Math.max(primitives.length, 1)}>,
+  // See anchorRow in compile/packScene.ts.
+  anchors: array<vec4f, ${Math.max(anchorRows(primitives).length, 1)}>,
   lights: array<Light, ${Math.max(emitters.length, 1)}>,
   // Values of the intersection functions below.
   slots: array<vec4f, ${Math.max(slotCount(), 1)}>,
@@ -67,7 +81,7 @@ ${blockers}  return blocked;
 }
 
 // Outward normals of shapes whose normal is neither constant nor radial.
-fn shapeNormal(id: u32, p: vec3f, otherwise: vec3f) -> vec3f {
+fn shapeNormal(ray: Ray, id: u32, p: vec3f, otherwise: vec3f) -> vec3f {
   var n = otherwise;
 ${normals}  return n;
 }
@@ -76,10 +90,7 @@ fn environment() -> vec3f {
   return scene.environment.rgb;
 }
 
-fn lightAt(index: u32) -> Light {
-  return scene.lights[index];
-}
-
+${emitLookups(primitives, emitters, values)}
 struct LightChoice {
   index: u32,
   // The point, stretched back over [0, 1)².
@@ -89,6 +100,55 @@ struct LightChoice {
 fn chooseLight(u: vec2f) -> LightChoice {
 ${emitChoice(emitters)}}
 `;
+}
+
+/**
+ * Functions that look values up: `shapeOf(id)`; per field of a material `alphaOf(id)` and so on; per field of a light
+ * `lightStart(index)` and so on, and `lightAt(index)`. The linker drops those that the features leave unused.
+ */
+function emitLookups(primitives: readonly Primitive[], emitters: readonly Emitter[], values: Values): string {
+  const lookup = (name: string, type: RowType, uniform: string, rows: readonly (number | ArrayLike<number>)[]) => {
+    const components = rows.map((row) => (typeof row === "number" ? [row] : Array.from(row)));
+    return `fn ${name}(i: u32) -> ${type} {\n${values.lookup(uniform, type, components)}}\n`;
+  };
+  const materials = materialRows(primitives, emitters);
+  const lights = lightRows(emitters);
+  const lightFields = fieldsOf(LIGHT).map(([field]) => `${lightField(field)}(i)`);
+  return [
+    lookup(
+      "shapeOf",
+      "vec4f",
+      "scene.shapes[i]",
+      primitives.map(({ shape }) => shapeRow(shape)),
+    ),
+    lookup("anchorOf", "vec4f", "scene.anchors[i]", anchorRows(primitives)),
+    ...fieldsOf(MATERIAL).map(([field, type]) =>
+      lookup(
+        `${field}Of`,
+        type,
+        `scene.materials[i].${field}`,
+        materials.map((row) => row[field]),
+      ),
+    ),
+    ...fieldsOf(LIGHT).map(([field, type]) =>
+      lookup(
+        lightField(field),
+        type,
+        `scene.lights[i].${field}`,
+        lights.map((row) => row[field]),
+      ),
+    ),
+    `fn lightAt(i: u32) -> Light {\n  return Light(${lightFields.join(", ")});\n}\n`,
+  ].join("\n");
+}
+
+/** Fields and types of a table's struct, in order. */
+function fieldsOf<F extends StructFields>({ fields }: StructLayout<F>): [keyof F & string, RowType][] {
+  return Object.entries(fields) as [keyof F & string, RowType][];
+}
+
+function lightField(field: string): string {
+  return `light${field[0]!.toUpperCase()}${field.slice(1)}`;
 }
 
 type EmittedPrimitive = {
@@ -101,6 +161,10 @@ type EmittedPrimitive = {
 function emitPrimitive(shape: Shape, id: number, values: Values): EmittedPrimitive {
   switch (shape.kind) {
     case "sphere":
+      if (shape.foot) {
+        const [foot, spoke] = [shape.foot, subtract(shape.foot, shape.center)].map((vector) => values.vec3(vector));
+        return { distance: `hugeSphereIntersect(ray, ${foot}, ${spoke}, ${id}u)` };
+      }
       return { distance: `sphereIntersect(ray, ${values.vec3(shape.center)}, ${values.scalar(shape.radius)}, ${id}u)` };
     case "plane": {
       const { point, normal, axis } = shape;
@@ -110,22 +174,27 @@ function emitPrimitive(shape: Shape, id: number, values: Values): EmittedPrimiti
     case "quad": {
       const { corner, edge1, edge2, normal, axis } = shape;
       const halfDiagonal = scale(add(edge1, edge2), 0.5);
-      const center = values.vec3(add(corner, halfDiagonal));
-      if (axis) return { distance: `quadIntersect${axis}(ray, ${center}, ${values.vec3(absolute(halfDiagonal))})` };
-      const [dual1, dual2] = halfEdgeDuals(edge1, edge2, normal);
-      return {
-        distance: `quadIntersect(ray, ${center}, ${values.vec3(normal)}, ${values.vec3(dual1)}, ${values.vec3(dual2)})`,
-      };
+      const middle = add(corner, halfDiagonal);
+      const center = values.vec3(middle);
+      if (axis) {
+        return { distance: `quadIntersect${axis}(ray, ${center}, ${values.vec3(withRim(halfDiagonal, middle))})` };
+      }
+      const duals = halfEdgeDuals(edge1, edge2, normal).map((dual) => dualWithRim(dual, middle)) as [Vec3, Vec3];
+      const frame = [normal, ...duals].map((vector) => values.vec3(vector)).join(", ");
+      const reach = values.scalar(Math.max(...duals.map(length)));
+      return { distance: `quadIntersect(ray, ${center}, ${frame}, ${reach})` };
     }
     case "triangle": {
-      const vertices = shape.vertices.map((vertex) => values.vec3(vertex)).join(", ");
+      const vertices = inCommonOrder(shape.vertices)
+        .map((vertex) => values.vec3(vertex))
+        .join(", ");
       return { distance: `triangleIntersect(shear, ${vertices})` };
     }
     case "box": {
       const { center, halfSize, turn = 0 } = shape;
       const body = `${values.vec3(center)}, ${values.vec3(halfSize)}`;
       const rotation = `vec2f(${values.scalar(Math.cos(turn))}, ${values.scalar(Math.sin(turn))})`;
-      const normal = `boxNormal(p, ${body}, ${rotation})`;
+      const normal = `boxNormal(ray, p, ${body}, ${rotation}, ${id}u)`;
       if (shape.turn === undefined) return { distance: `boxIntersect(ray, ${body}, ${id}u)`, normal };
       return { distance: `turnedBoxIntersect(ray, ${body}, ${rotation}, ${id}u)`, normal };
     }
@@ -140,18 +209,13 @@ function halfEdgeDuals(edge1: Vec3, edge2: Vec3, normal: Vec3): [Vec3, Vec3] {
   return [scale(cross(edge2, normal), 2 / area), scale(cross(normal, edge1), 2 / area)];
 }
 
-function absolute([x, y, z]: Vec3): Vec3 {
-  return [Math.abs(x), Math.abs(y), Math.abs(z)];
-}
-
 function emitChoice(emitters: readonly Emitter[]): string {
   if (emitters.length <= 1) return "  return LightChoice(0u, u);\n";
   const steps = emitters.map((_, i) =>
     i === 0 ? "" : `  index = select(index, ${i}u, u.x >= scene.lights[${i}].start);\n`,
   );
   return `  var index = 0u;
-${steps.join("")}  let light = scene.lights[index];
-  let x = (u.x - light.start) / light.probability;
+${steps.join("")}  let x = (u.x - lightStart(index)) / lightProbability(index);
   return LightChoice(index, vec2f(clamp(x, 0.0, 0x1.fffffep-1), u.y));
 `;
 }

@@ -32,12 +32,15 @@ export function deriveFeatures(
     SPHERES: hasShape("sphere"),
     BOXES: hasShape("box"),
     TRIANGLES: hasShape("triangle"),
+    HUGE_SPHERES: hasHugeSpheres(primitives),
+    RIMS: hasRims(primitives),
     DIFFUSE,
     SPECULAR,
     ROUGH: rough.length > 0,
     MIRROR: specular.some((material) => material.roughness === 0),
     SMITH: rough.some((material) => material.masking === "smith"),
     SCHLICK_BECKMANN: rough.some((material) => material.masking === "schlick-beckmann"),
+    MULTISCATTER: rough.some((material) => material.multiscatter && material.metallic > 0),
     LOBES: DIFFUSE && SPECULAR,
     EMISSION: primitives.some(emits),
     SPHERE_EMITTERS: primitives.some((primitive) => primitive.shape.kind === "sphere" && emits(primitive)),
@@ -52,6 +55,16 @@ export function deriveFeatures(
     UNIFORM: settings.estimator === "uniform",
     MANY_LIGHT_SAMPLES: settings.lightSamples > 1,
   };
+}
+
+/** Spheres that are better measured from their surface than from their centre. */
+export function hasHugeSpheres(primitives: readonly Primitive[]): boolean {
+  return primitives.some(({ shape }) => shape.kind === "sphere" && shape.foot !== undefined);
+}
+
+/** Flat shapes that may meet at an edge. */
+export function hasRims(primitives: readonly Primitive[]): boolean {
+  return primitives.filter(({ shape }) => shape.kind === "quad" || shape.kind === "triangle").length > 1;
 }
 
 /** A dielectric of ior 1 has no interface: it is Lambert only. */
@@ -77,6 +90,7 @@ export function describeFeatures(
     ...(features.MIRROR ? ["mirror"] : []),
     ...(features.SMITH ? ["Smith masking"] : []),
     ...(features.SCHLICK_BECKMANN ? ["Schlick–Beckmann masking"] : []),
+    ...(features.MULTISCATTER ? ["multiple scattering"] : []),
     ...[...lights].map(([kind, count]) => counted(count, `${kind} light`)),
     ...(features.ENVIRONMENT ? ["environment"] : []),
     features.SOBOL ? "Sobol points" : "independent points",

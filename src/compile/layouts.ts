@@ -10,6 +10,7 @@ export const MATERIAL = defineStruct({
   lightDensity: "f32",
   f90: "f32",
   schlickBeckmann: "f32",
+  multiscatter: "f32",
 });
 
 /** One emitter: `Light` in `wgsl/lights.wgsl`. */
@@ -40,6 +41,7 @@ export const FRAME = defineStruct({
   endRow: "u32",
   maxBounces: "u32",
   lightSamples: "u32",
+  near: "f32",
 });
 
 /** How the film is shown: `View` in `wgsl/blit.wgsl`. */

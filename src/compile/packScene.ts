@@ -2,16 +2,17 @@ import { dielectricF0 } from "../scene/metals";
 import type { ResolvedMaterial, Rgb } from "../scene/schema";
 import type { StructFields, StructLayout, StructValue } from "./defineStruct";
 import { type Emitter, LIGHT_KINDS } from "./emitters";
-import { hasSpecularLobe } from "./features";
+import { hasHugeSpheres, hasRims, hasSpecularLobe } from "./features";
 import { LIGHT, MATERIAL } from "./layouts";
 import type { Primitive, Shape } from "./primitives";
-import { add, scale } from "./vec3";
+import { towardsMiddle } from "./rims";
+import { add, cross, length, scale, subtract } from "./vec3";
 
 const NO_PRIMITIVE = 0xffffffff;
 const VEC4_BYTES = 16;
 
 /**
- * The bytes of the uniform `scene`: environment, materials, shapes, lights, slots, in the order and with the array
+ * The bytes of the uniform `scene`: environment, materials, shapes, anchors, lights, slots, in the order and with the array
  * lengths of the struct that `emitScene` declares. Every member is a multiple of 16 bytes long.
  */
 export function packScene(
@@ -20,15 +21,21 @@ export function packScene(
   environment: Rgb,
   slots: readonly number[],
 ): ArrayBuffer {
-  const materials = primitives.map((primitive, id) => materialRow(primitive, id, emitters));
+  const materials = materialRows(primitives, emitters);
   const shapes = primitives.flatMap(({ shape }) => shapeRow(shape));
   return concatenate([
     floats([...environment, 0]),
     orZeros(rows(MATERIAL, materials), MATERIAL.bytes),
     orZeros(floats(shapes), VEC4_BYTES),
+    orZeros(floats(anchorRows(primitives).flat()), VEC4_BYTES),
     orZeros(rows(LIGHT, lightRows(emitters)), LIGHT.bytes),
     orZeros(floats(slots), VEC4_BYTES),
   ]);
+}
+
+/** The surfaces of all primitives, by id. */
+export function materialRows(primitives: readonly Primitive[], emitters: readonly Emitter[]) {
+  return primitives.map((primitive, id) => materialRow(primitive, id, emitters));
 }
 
 function materialRow({ shape, material, emission }: Primitive, id: number, emitters: readonly Emitter[]) {
@@ -41,7 +48,7 @@ function materialRow({ shape, material, emission }: Primitive, id: number, emitt
 
 function reflectance(material: ResolvedMaterial | "black") {
   if (material === "black") return BLACK;
-  const { baseColor, metallic, roughness, ior, masking } = material;
+  const { baseColor, metallic, roughness, ior, masking, multiscatter } = material;
   const schlickBeckmann = masking === "schlick-beckmann" ? 1 : 0;
   if (!hasSpecularLobe(material)) return { ...BLACK, diffuse: baseColor };
   const f0 = dielectricF0(ior);
@@ -52,13 +59,22 @@ function reflectance(material: ResolvedMaterial | "black") {
     f0,
     f90: 1,
     schlickBeckmann,
+    multiscatter: multiscatter ? metallic : 0,
   };
 }
 
-const BLACK = { F0: [0, 0, 0], alpha: 1, diffuse: [0, 0, 0] as Rgb, f0: 0, f90: 0, schlickBeckmann: 0 };
+const BLACK = {
+  F0: [0, 0, 0],
+  alpha: 1,
+  diffuse: [0, 0, 0] as Rgb,
+  f0: 0,
+  f90: 0,
+  schlickBeckmann: 0,
+  multiscatter: 0,
+};
 
 /** Centre and radius of a sphere, unit normal and 0 of a flat shape, -1 last for a box. */
-function shapeRow(shape: Shape): number[] {
+export function shapeRow(shape: Shape): number[] {
   switch (shape.kind) {
     case "sphere":
       return [...shape.center, shape.radius];
@@ -69,7 +85,44 @@ function shapeRow(shape: Shape): number[] {
   }
 }
 
-function lightRows(emitters: readonly Emitter[]) {
+/** The emitters, as the shader's table wants them. */
+/** One per primitive, or none where the shader reads none: see features. */
+export function anchorRows(primitives: readonly Primitive[]): number[][] {
+  const isRead = hasRims(primitives) || hasHugeSpheres(primitives);
+  return isRead ? primitives.map(({ shape }) => anchorRow(shape)) : [];
+}
+
+/**
+ * A point on a flat shape, its middle if it has one, and the factor by which points on it are drawn there; the foot of a huge
+ * sphere and 1; else zeros.
+ */
+function anchorRow(shape: Shape): number[] {
+  switch (shape.kind) {
+    case "plane":
+      return [...shape.point, 1];
+    case "quad": {
+      const { corner, edge1, edge2 } = shape;
+      const middle = add(corner, scale(add(edge1, edge2), 0.5));
+      const sides = [length(edge1), length(edge2)];
+      const toEdge = length(cross(edge1, edge2)) / (2 * Math.max(...sides));
+      return [...middle, towardsMiddle(middle, toEdge, (sides[0]! + sides[1]!) / 2)];
+    }
+    case "triangle": {
+      const [a, b, c] = shape.vertices;
+      const middle = scale(add(a, add(b, c)), 1 / 3);
+      const sides = [subtract(b, a), subtract(c, b), subtract(a, c)];
+      const longest = Math.max(...sides.map(length));
+      const toEdge = length(cross(sides[0]!, sides[1]!)) / (3 * longest);
+      return [...middle, towardsMiddle(middle, toEdge, longest)];
+    }
+    case "sphere":
+      return shape.foot ? [...shape.foot, 1] : [0, 0, 0, 0];
+    case "box":
+      return [0, 0, 0, 0];
+  }
+}
+
+export function lightRows(emitters: readonly Emitter[]) {
   let start = 0;
   return emitters.map((emitter) => {
     const row = { ...emitter, kind: LIGHT_KINDS[emitter.kind], id: emitter.primitive ?? NO_PRIMITIVE, start };

@@ -6,7 +6,13 @@ export type Axis = "X" | "Y" | "Z";
 
 /** Geometry as the intersectors want it, relative to the compiled scene's origin. */
 export type Shape =
-  | { readonly kind: "sphere"; readonly center: Vec3; readonly radius: number }
+  | {
+      readonly kind: "sphere";
+      readonly center: Vec3;
+      readonly radius: number;
+      /** Of a sphere that is huge against what is in view: its point nearest to the origin, exact where the centre is not. */
+      readonly foot?: Vec3;
+    }
   | { readonly kind: "plane"; readonly point: Vec3; readonly normal: Vec3; readonly axis: Axis | undefined }
   | {
       readonly kind: "quad";
@@ -36,13 +42,20 @@ export type Primitive = {
 
 /** The scene's objects, then its sphere lights. */
 export function primitivesOf(scene: ResolvedScene, origin: Vec3): Primitive[] {
+  const reach = length(subtract(scene.camera.position, origin));
   const objects = scene.objects.map((object) => {
     const material = scene.materials[object.material]!;
-    return { shape: shapeOf(object, origin), material, emission: material.emission };
+    return { shape: shapeOf(object, origin, reach), material, emission: material.emission };
   });
   const lights = scene.lights.flatMap((light): Primitive[] =>
     light.type === "sphere"
-      ? [{ shape: sphereOf(light, origin), material: "black", emission: sphereLightRadiance(light) }]
+      ? [
+          {
+            shape: sphereOf(subtract(light.position, origin), light.radius, reach),
+            material: "black",
+            emission: sphereLightRadiance(light),
+          },
+        ]
       : [],
   );
   return [...objects, ...lights];
@@ -53,14 +66,20 @@ function sphereLightRadiance(light: ResolvedLight & { type: "sphere" }): Rgb {
   return scale(light.power, 1 / (4 * Math.PI ** 2 * light.radius ** 2));
 }
 
-function sphereOf(light: ResolvedLight & { type: "sphere" }, origin: Vec3): Shape {
-  return { kind: "sphere", center: subtract(light.position, origin), radius: light.radius };
+/** @param reach - distance of the camera from the origin: the size of what is in view. */
+function sphereOf(center: Vec3, radius: number, reach: number): Shape {
+  const distance = length(center);
+  const isHuge = radius > HUGE * Math.max(Math.abs(distance - radius), reach);
+  return { kind: "sphere", center, radius, ...(isHuge && { foot: scale(center, 1 - radius / distance) }) };
 }
 
-function shapeOf(object: ResolvedObject, origin: Vec3): Shape {
+// Below this, coordinates relative to a sphere's centre lose no more than 6 bits against those relative to what is in view.
+const HUGE = 64;
+
+function shapeOf(object: ResolvedObject, origin: Vec3, reach: number): Shape {
   switch (object.type) {
     case "sphere":
-      return { kind: "sphere", center: subtract(object.center, origin), radius: object.radius };
+      return sphereOf(subtract(object.center, origin), object.radius, reach);
     case "plane": {
       const normal = normalize(object.normal);
       return { kind: "plane", point: subtract(object.point, origin), normal, axis: axisOf(normal) };

@@ -1,6 +1,7 @@
 import { BufferUsage, MapMode } from "./flags";
 
 const BYTES_PER_PIXEL = 16;
+const CARRY_BYTES_PER_PIXEL = 8;
 /** Rays traced and samples dropped: two u32. */
 export const COUNTER_BYTES = 8;
 
@@ -10,6 +11,8 @@ export class Film {
   readonly height: number;
   /** Half 0, then half 1; rows from the top; rgb and, in w, the sample count. */
   readonly sums: GPUBuffer;
+  /** What the sums leave over, in the same order: see `film.wgsl`. The trace pass alone uses it. */
+  readonly carries: GPUBuffer;
   readonly counters: GPUBuffer;
   readonly #device: GPUDevice;
 
@@ -19,11 +22,14 @@ export class Film {
     this.height = height;
     const usage = BufferUsage.STORAGE | BufferUsage.COPY_DST | BufferUsage.COPY_SRC;
     this.sums = device.createBuffer({ label: "film", size: 2 * width * height * BYTES_PER_PIXEL, usage });
+    const carryBytes = 2 * width * height * CARRY_BYTES_PER_PIXEL;
+    this.carries = device.createBuffer({ label: "film carries", size: carryBytes, usage });
     this.counters = device.createBuffer({ label: "counters", size: COUNTER_BYTES, usage });
   }
 
   clear(encoder: GPUCommandEncoder): void {
     encoder.clearBuffer(this.sums);
+    encoder.clearBuffer(this.carries);
   }
 
   /** Mean radiance, RGBA with alpha 1, rows from the top; black where there is no sample yet. */
@@ -48,6 +54,7 @@ export class Film {
 
   dispose(): void {
     this.sums.destroy();
+    this.carries.destroy();
     this.counters.destroy();
   }
 }

@@ -17,3 +17,7 @@ export const TextureUsage = {
 export const MapMode = {
   READ: 0x0001,
 } as const;
+
+export const ShaderStage = {
+  COMPUTE: 0x4,
+} as const;

@@ -3,6 +3,7 @@ import { WebGpuError } from "../errors";
 /**
  * Compiles one entry point without blocking.
  *
+ * @param layout - `"auto"` has only the bindings that the code really uses.
  * @throws {WebGpuError} with the compiler's messages if the module is not valid, or the device's if the pipeline is not.
  */
 export async function createComputePipeline(
@@ -10,10 +11,11 @@ export async function createComputePipeline(
   label: string,
   code: string,
   entryPoint: string,
+  layout: GPUPipelineLayout | "auto" = "auto",
 ): Promise<GPUComputePipeline> {
   const module = device.createShaderModule({ label, code });
   try {
-    return await device.createComputePipelineAsync({ label, layout: "auto", compute: { module, entryPoint } });
+    return await device.createComputePipelineAsync({ label, layout, compute: { module, entryPoint } });
   } catch (cause) {
     throw await compileError(label, module, cause);
   }

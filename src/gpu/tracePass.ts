@@ -1,12 +1,22 @@
 import type { StructValue } from "../compile/defineStruct";
 import { FRAME } from "../compile/layouts";
 import type { Film } from "./film";
-import { BufferUsage } from "./flags";
+import { BufferUsage, ShaderStage } from "./flags";
 
 /** One dispatch's camera, tile, samples and settings. */
 export type FrameUniforms = StructValue<typeof FRAME.fields>;
 
 const WORKGROUP = 8; // @workgroup_size of trace()
+
+/** Bindings of the trace pass: frame, scene, film, counters, carries. Not every program reads the scene uniform. */
+export function createTraceLayout(device: GPUDevice): GPUPipelineLayout {
+  const types = ["uniform", "uniform", "storage", "storage", "storage"] as const;
+  const group = device.createBindGroupLayout({
+    label: "trace",
+    entries: types.map((type, binding) => ({ binding, visibility: ShaderStage.COMPUTE, buffer: { type } })),
+  });
+  return device.createPipelineLayout({ label: "trace", bindGroupLayouts: [group] });
+}
 
 /** The compute pass that traces paths, for one compiled program, scene and film. */
 export class TracePass {
@@ -27,7 +37,7 @@ export class TracePass {
     this.#bindGroup = device.createBindGroup({
       label: "trace",
       layout: pipeline.getBindGroupLayout(0),
-      entries: [this.#frame, this.#scene, film.sums, film.counters].map((buffer, binding) => ({
+      entries: [this.#frame, this.#scene, film.sums, film.counters, film.carries].map((buffer, binding) => ({
         binding,
         resource: { buffer },
       })),

@@ -1,19 +1,20 @@
 import { type CompiledScene, compileScene } from "../compile/compileScene";
 import { linkModule } from "../compile/linkProgram";
+import { WebGpuError } from "../errors";
 import { adapterName, requestDevice } from "../gpu/device";
-import { ErrorPass, relativeError } from "../gpu/errorPass";
+import { ErrorPass } from "../gpu/errorPass";
 import { Film } from "../gpu/film";
 import { createComputePipeline } from "../gpu/pipelines";
-import { Readback, type Report } from "../gpu/readback";
+import { Readback } from "../gpu/readback";
 import { TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
-import { cameraBasis } from "./camera";
+import { Baked } from "./baked";
+import { cameraBasis, rayStart } from "./camera";
 import { Display, readPicture, type View } from "./display";
-import { Pace, pathsOf } from "./pace";
+import { Meter } from "./meter";
 import { createProgram, type Program, programKey } from "./program";
 import { Progress, type Slice } from "./progress";
-import { Rate } from "./rates";
 import { DEFAULT_SETTINGS, type Settings } from "./settings";
 import type { Stats } from "./stats";
 
@@ -37,6 +38,10 @@ const BATCH_BUDGET_MS = 100;
 const BATCH_SAMPLES = 16;
 // Submits under way at once: with a second one waiting, the device does not idle until the next animation frame.
 const MAX_IN_FLIGHT = 2;
+// A scene that has not changed for this long, in milliseconds, or is to take this many samples at once, is worth compiling
+// with its values as constants.
+const REST_MS = 500;
+const BAKE_SAMPLES = 16;
 // Milliseconds between two estimates of the error.
 const ERROR_INTERVAL_MS = 200;
 
@@ -47,14 +52,10 @@ const ERROR_INTERVAL_MS = 200;
  */
 export class PathTracer {
   readonly device: GPUDevice;
-  readonly stats: Stats;
   readonly #ownsDevice: boolean;
   readonly #errorPipeline: GPUComputePipeline;
   readonly #readbacks: readonly Readback[];
-  readonly #pace = new Pace();
-  readonly #frameRate = new Rate();
-  readonly #pathRate = new Rate();
-  readonly #rayRate = new Rate();
+  readonly #meter: Meter;
 
   #scene: ResolvedScene;
   #camera: ResolvedCamera;
@@ -62,6 +63,8 @@ export class PathTracer {
   #compiled: CompiledScene;
   #program: Program;
   #trace: TracePass;
+  /** Stands in for program and trace while the scene rests. */
+  readonly #baked: Baked;
   #film: Film;
   #errorPass: ErrorPass;
   #progress: Progress;
@@ -74,11 +77,17 @@ export class PathTracer {
   /** The program being compiled, and what will be shown with it; the newest only. */
   #compiling: Promise<void> | undefined;
   #pending: Shown | undefined;
+  /** When the accumulation last started anew. */
+  #restartedAt = 0;
   #failure: unknown;
+  readonly #fail = (error: unknown): void => {
+    this.#failure ??= error;
+  };
+  /** A bug of ours or a device out of memory; without this it would be a picture that stays black. */
+  readonly #onDeviceError = ({ error }: GPUUncapturedErrorEvent): void => {
+    this.#fail(new WebGpuError(error.message, { cause: error }));
+  };
   #disposed = false;
-  #presentedAt: number | undefined;
-  /** When the device was last known to finish a submit. */
-  #finishedAt = 0;
   #errorAt = Number.NEGATIVE_INFINITY;
 
   /**
@@ -125,20 +134,15 @@ export class PathTracer {
     this.#progress = new Progress(height);
     this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
     this.#trace = new TracePass(device, program.pipeline, compiled.uniform, this.#film);
-    this.stats = {
-      fps: 0,
-      frameMs: 0,
-      gpuMs: 0,
-      samples: 0,
-      pathsPerSecond: 0,
-      raysPerSecond: 0,
-      error: Number.POSITIVE_INFINITY,
-      badSamples: 0,
-      compileSeconds: program.compileSeconds,
-      converged: false,
-      adapter: adapterName(device),
-      features: program.features,
-    };
+    device.addEventListener("uncapturederror", this.#onDeviceError);
+    this.#baked = new Baked(device);
+    this.#meter = new Meter(adapterName(device));
+    this.#meter.useProgram(program);
+  }
+
+  /** Speed, error and what is compiled; one object, kept up to date. */
+  get stats(): Readonly<Stats> {
+    return this.#meter.stats;
   }
 
   get scene(): ResolvedScene {
@@ -162,8 +166,8 @@ export class PathTracer {
   }
 
   /** The linked shader that runs now, and what it contains. */
-  get program(): { readonly wgsl: string; readonly features: readonly string[] } {
-    return this.#program;
+  get program(): Pick<Program, "wgsl" | "features" | "compileSeconds"> {
+    return this.#baked.program ?? this.#program;
   }
 
   /**
@@ -202,13 +206,11 @@ export class PathTracer {
   update(settings: Partial<Settings>): void {
     const before = this.#settings;
     this.#settings = { ...before, ...settings };
-    this.#updateConverged();
-    const shaping = ["maxBounces", "lightSamples", "estimator", "sampler", "seed"] as const;
+    this.#meter.updateConverged(this.#settings);
+    const shaping = ["maxBounces", "lightSamples", "estimator", "sampler", "seed", "constants"] as const;
     if (shaping.every((key) => before[key] === this.#settings[key])) return;
     this.#stale = true;
-    this.#install(this.#pending ?? { scene: this.#scene, camera: this.#camera }).catch((error: unknown) => {
-      this.#failure = error;
-    });
+    this.#install(this.#pending ?? { scene: this.#scene, camera: this.#camera }).catch(this.#fail);
   }
 
   /** Starts the accumulation anew. */
@@ -219,17 +221,33 @@ export class PathTracer {
   /**
    * Takes `count` more samples per pixel, fewer if `targetError` or `maxSamples` stops it. Resolves when the device is
    * done and `stats` are up to date.
+   *
+   * @throws {WebGpuError} if this or earlier work on the device failed.
    */
   async sample(count: number): Promise<void> {
     while (this.#working.size > 0 || this.#compiling) await Promise.all([...this.#working.values(), this.#compiling]);
     if (this.#disposed) return;
     if (this.#stale) this.#restart();
+    if (count >= BAKE_SAMPLES) await this.compile();
     for (let taken = 0; taken < count && !this.stats.converged && !this.#disposed; ) {
       const wanted = Math.min(count - taken, this.#settings.maxSamples - this.#progress.samples);
       const before = this.#progress.samples;
       await this.#work(BATCH_BUDGET_MS, BATCH_SAMPLES, wanted, true);
       taken += Math.max(this.#progress.samples - before, 0);
     }
+    if (this.#failure !== undefined) throw this.#failure;
+  }
+
+  /**
+   * Compiles the program of a scene at rest now, instead of when it has rested or many samples are asked for. Resolves
+   * when it is in use; the accumulation goes on.
+   */
+  async compile(): Promise<void> {
+    if (!this.#settings.constants || this.#disposed) return;
+    if (this.#stale) this.#restart();
+    await this.#baked.compile(this.#bakedScene, this.#film);
+    if (this.#disposed) this.#baked.drop();
+    else this.#meter.useProgram(this.program);
   }
 
   /** Mean radiance: RGBA, linear Rec. 709, alpha 1, top row first, `width · height · 4` values. */
@@ -256,9 +274,8 @@ export class PathTracer {
     if (this.#stale && !isFirstPass) this.#restart();
     const remaining = this.#settings.maxSamples - this.#progress.samples;
     if (this.stats.converged || remaining <= 0) return false;
-    this.#work(FRAME_BUDGET_MS, this.#settings.samplesPerFrame, remaining, false).catch((error: unknown) => {
-      this.#failure = error;
-    });
+    if (!this.#compiling && performance.now() - this.#restartedAt > REST_MS) this.compile().catch(this.#fail);
+    this.#work(FRAME_BUDGET_MS, this.#settings.samplesPerFrame, remaining, false).catch(this.#fail);
     return true;
   }
 
@@ -270,11 +287,7 @@ export class PathTracer {
    */
   present(context: GPUCanvasContext, view: View = {}): boolean {
     if (this.#disposed) return false;
-    const now = performance.now();
-    if (this.#presentedAt !== undefined) this.#frameRate.observe(1, (now - this.#presentedAt) / 1000);
-    this.#presentedAt = now;
-    this.stats.fps = this.#frameRate.perSecond;
-    this.stats.frameMs = this.stats.fps > 0 ? 1000 / this.stats.fps : 0;
+    this.#meter.countFrame();
     if (this.#progress.samples === 0) return false;
     if (!(this.#display instanceof Display)) {
       this.#display ??= this.#createDisplay(context.getConfiguration()!.format);
@@ -288,7 +301,9 @@ export class PathTracer {
   dispose(): void {
     if (this.#disposed) return;
     this.#disposed = true;
+    this.device.removeEventListener("uncapturederror", this.#onDeviceError);
     this.#trace.dispose();
+    this.#baked.drop();
     this.#errorPass.dispose();
     for (const readback of this.#readbacks) readback.dispose();
     this.#film.dispose();
@@ -316,8 +331,6 @@ export class PathTracer {
       this.#program = program;
       this.#trace.dispose();
       this.#trace = new TracePass(this.device, program.pipeline, compiled.uniform, this.#film);
-      this.stats.compileSeconds = program.compileSeconds;
-      this.stats.features = program.features;
       this.#show(this.#pending ?? next, compiled);
       this.#restart();
     });
@@ -336,15 +349,19 @@ export class PathTracer {
     this.#stale = true;
   }
 
+  /** The scene as it is, with its values as constants. */
+  readonly #bakedScene = (): CompiledScene => compileScene(this.#scene, this.#settings, this.#camera);
+
   #restart(): void {
     this.#stale = false;
+    this.#restartedAt = performance.now();
     this.#trace.writeScene(this.#compiled.uniform);
+    if (this.#settings.constants) this.#baked.change(this.#bakedScene, this.#film);
+    else this.#baked.drop();
+    this.#meter.useProgram(this.program);
     this.#progress = new Progress(this.height);
     this.#errorAt = Number.NEGATIVE_INFINITY;
-    this.stats.samples = 0;
-    this.stats.error = Number.POSITIVE_INFINITY;
-    this.stats.badSamples = 0;
-    this.#updateConverged();
+    this.#meter.restart(this.#settings);
     const encoder = this.device.createCommandEncoder({ label: "restart" });
     this.#film.clear(encoder);
     this.device.queue.submit([encoder.finish()]);
@@ -358,7 +375,7 @@ export class PathTracer {
     const readback = this.#readbacks.find((candidate) => !this.#working.has(candidate))!;
     const progress = this.#progress;
     const samplesBefore = progress.samples;
-    const slice = progress.next(this.#pace.rowsFor(budgetMs, this.width, maxCount), maxCount, remaining);
+    const slice = progress.next(this.#meter.pace.rowsFor(budgetMs, this.width, maxCount), maxCount, remaining);
     progress.finish(slice);
     const now = performance.now();
     const samples = progress.samples;
@@ -367,19 +384,21 @@ export class PathTracer {
     if (wantsError) this.#errorAt = now;
 
     const encoder = this.device.createCommandEncoder({ label: "sample" });
-    this.#trace.encode(encoder, this.#frameUniforms(slice), readback.timestampWrites);
+    const trace = this.#baked.trace ?? this.#trace;
+    trace.encode(encoder, this.#frameUniforms(slice), readback.timestampWrites);
     if (wantsError) this.#errorPass.encode(encoder);
     readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
     this.device.queue.submit([encoder.finish()]);
 
     const report = async () => {
       // Dawn in Node spins while a promise is pending, which takes a core from a software adapter: sleep first.
-      if (patient) await sleep(0.9 * this.#pace.predictMs(slice, this.width));
+      if (patient) await sleep(0.9 * this.#meter.pace.predictMs(slice, this.width));
       if (this.#disposed) return;
       const values = await readback.read(wantsError);
-      const started = Math.max(now, this.#finishedAt);
-      this.#finishedAt = performance.now();
-      if (progress === this.#progress) this.#observe(slice, samples, values, this.#finishedAt - started);
+      const wallMs = this.#meter.finishSubmit(now);
+      if (progress !== this.#progress) return;
+      this.#meter.observe(slice, this.width, samples, values, wallMs);
+      this.#meter.updateConverged(this.#settings);
     };
     const working = report()
       .catch((error: unknown) => {
@@ -390,33 +409,11 @@ export class PathTracer {
     return working;
   }
 
-  /** Takes note of a finished slice, after which every pixel held `samples`. */
-  #observe(slice: Slice, samples: number, { gpuMs, rays, badSamples, errorSums }: Report, wallMs: number): void {
-    const ms = gpuMs ?? wallMs;
-    this.#pace.observe(slice, this.width, ms);
-    this.#pathRate.observe(pathsOf(slice, this.width), ms / 1000);
-    this.#rayRate.observe(rays, ms / 1000);
-    const { stats } = this;
-    stats.gpuMs = ms;
-    stats.pathsPerSecond = this.#pathRate.perSecond;
-    stats.raysPerSecond = this.#rayRate.perSecond;
-    stats.samples = samples;
-    stats.badSamples += badSamples;
-    if (errorSums) stats.error = relativeError(errorSums);
-    this.#updateConverged();
-  }
-
-  #updateConverged(): void {
-    const { error, samples } = this.stats;
-    const { targetError, maxSamples } = this.#settings;
-    this.stats.converged = (targetError > 0 && error <= targetError) || samples >= maxSamples;
-  }
-
   #frameUniforms({ half, firstSample, count, firstRow, endRow }: Slice) {
     const { width, height } = this;
     const { seed, lightSamples, maxBounces = this.#scene.maxBounces } = this.#settings;
     return {
-      ...cameraBasis(this.#camera, this.#compiled.origin, width / height),
+      ...rayStart(cameraBasis(this.#camera, this.#compiled.origin, width / height), this.#compiled.shapes),
       size: [width, height],
       half,
       firstSample,

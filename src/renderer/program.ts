@@ -1,6 +1,7 @@
 import type { CompiledScene } from "../compile/compileScene";
 import { linkProgram } from "../compile/linkProgram";
 import { createComputePipeline } from "../gpu/pipelines";
+import { createTraceLayout } from "../gpu/tracePass";
 
 /** A compiled tracer for every scene that needs the same features in the same places. */
 export type Program = {
@@ -22,7 +23,7 @@ export function programKey({ sceneModule, features }: CompiledScene): string {
 export async function createProgram(device: GPUDevice, compiled: CompiledScene): Promise<Program> {
   const start = performance.now();
   const wgsl = await linkProgram(compiled.sceneModule, compiled.features);
-  const pipeline = await createComputePipeline(device, "trace", wgsl, "trace");
+  const pipeline = await createComputePipeline(device, "trace", wgsl, "trace", createTraceLayout(device));
   const compileSeconds = (performance.now() - start) / 1000;
   return { wgsl, features: compiled.description, compileSeconds, pipeline, key: programKey(compiled) };
 }

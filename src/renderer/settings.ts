@@ -14,6 +14,11 @@ export type Settings = {
   readonly estimator: "path" | "uniform";
   /** `"sobol"`, the default: Owen-scrambled Sobol points. `"independent"`: pseudo-random numbers (PCG). */
   readonly sampler: "sobol" | "independent";
+  /**
+   * Whether a scene at rest is compiled again, in the background, with its values as constants in the shader; faster, and
+   * the same image up to rounding. Default true.
+   */
+  readonly constants: boolean;
   /** Seed of the sampler, an unsigned 32-bit integer. The same seed gives the same image. Default 1. */
   readonly seed: number;
   /** Sampling stops once `stats.error` is at most this relative RMSE. Default 0: never. */
@@ -28,6 +33,7 @@ export const DEFAULT_SETTINGS: Settings = {
   samplesPerFrame: 1,
   estimator: "path",
   sampler: "sobol",
+  constants: true,
   seed: 1,
   targetError: 0,
   maxSamples: Number.POSITIVE_INFINITY,

@@ -2,7 +2,7 @@
 //
 // [1] Kay, Kajiya 1986, "Ray Tracing Complex Scenes"
 // [2] Ize 2013, "Robust BVH Ray Traversal", JCGT 2(2)
-import package::constants::INSIDE;
+import package::constants::{INSIDE, NEAR};
 import package::ray::{Ray, safeInverse};
 
 // Rounding of the slab distances can let a ray slip between two faces; widening the exit closes the gap. [2] eq. 4
@@ -24,7 +24,9 @@ fn slabs(middle: vec3f, extent: vec3f, fromInside: bool) -> f32 {
   let leave = middle + extent;
   let near = max(max(enter.x, enter.y), enter.z);
   let far = min(min(leave.x, leave.y), leave.z);
-  return select(-1.0, select(near, far, fromInside | (near <= 0.0)), near <= far * SLAB_PADDING);
+  let t = select(-1.0, select(near, far, near <= 0.0), near <= far * SLAB_PADDING);
+  // From its inner side a box is always left again, also from an edge that rounding puts outside of another face.
+  return select(t, max(far, NEAR), fromInside);
 }
 
 // World to box: the inverse rotation.
@@ -37,10 +39,14 @@ fn turnForth(v: vec3f, turn: vec2f) -> vec3f {
   return vec3f(turn.x * v.x + turn.y * v.z, v.y, turn.x * v.z - turn.y * v.x);
 }
 
-// Outward normal at a point on the box: that of the face the point is nearest to, in proportion to the box.
-fn boxNormal(point: vec3f, center: vec3f, halfSize: vec3f, turn: vec2f) -> vec3f {
+// Outward normal where a ray hits the box: that of the face the point is nearest to, in proportion to the box, among those
+// that the ray can hit. Near an edge, where rounding decides which face is nearest, a face turned away would send the path
+// to the wrong side of the surface.
+fn boxNormal(ray: Ray, point: vec3f, center: vec3f, halfSize: vec3f, turn: vec2f, id: u32) -> vec3f {
   let local = turnBack(point - center, turn) / halfSize;
-  let size = abs(local);
+  let isInside = (ray.source == (id | INSIDE)) | all(abs(turnBack(ray.o - center, turn)) < halfSize);
+  let leaving = turnBack(ray.d, turn) * local > vec3f(0.0);
+  let size = select(vec3f(0.0), abs(local), leaving == vec3<bool>(isInside));
   let x = size.x >= max(size.y, size.z);
   let y = !x & (size.y >= size.z);
   return turnForth(sign(local) * vec3f(select(0.0, 1.0, x), select(0.0, 1.0, y), select(1.0, 0.0, x | y)), turn);

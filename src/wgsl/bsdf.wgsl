@@ -24,6 +24,8 @@ struct Bsdf {
   schlickBeckmann: f32,
   // Probability of sampling the specular lobe from the given wo.
   specularShare: f32,
+  // What gives the rough lobe back the light of multiple scattering, from the given wo; 1 without the flag.
+  gain: vec3f,
 }
 
 struct BsdfSample {
@@ -66,7 +68,8 @@ fn bsdfEval(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> vec4f {
     }
     @if(ROUGH) {
       let glossy = glossyEval(bsdf, wo, wi, wm);
-      let F = bsdf.F0 + (bsdf.f90 - bsdf.F0) * w;
+      var F = bsdf.F0 + (bsdf.f90 - bsdf.F0) * w;
+      @if(MULTISCATTER) F *= bsdf.gain;
       @if(MIRROR) value += select(vec4f(0.0), vec4f(F * glossy.x, bsdf.specularShare * glossy.y), bsdf.alpha > 0.0);
       @if(!MIRROR) value += vec4f(F * glossy.x, bsdf.specularShare * glossy.y);
     }

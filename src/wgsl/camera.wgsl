@@ -4,8 +4,10 @@ import package::ray::{Ray, makeRay};
 import package::sampler::{Sampler, point};
 import package::uniforms::frame;
 
-// A ray through a uniform point of the pixel. Pixel (0, 0) is at the top left.
+// A ray through a uniform point of the pixel. Pixel (0, 0) is at the top left. It starts where the scene begins, so that
+// distances, and with them the digits of what it hits, are the scene's own, however far the camera is.
 fn cameraRay(pixel: vec2u, samples: Sampler) -> Ray {
   let position = (vec2f(pixel) + point(samples, PIXEL)) / vec2f(frame.size) * 2.0 - 1.0;
-  return makeRay(frame.origin, normalize(frame.forward + position.x * frame.right - position.y * frame.up), NONE);
+  let offset = position.x * frame.right - position.y * frame.up;
+  return makeRay(frame.origin + frame.near * offset, normalize(frame.forward + offset), NONE);
 }

@@ -5,6 +5,9 @@ const INV_PI = 0.318309886183791;
 // Length of a ray that hits nothing. Squares of distances up to here stay finite in f32.
 const FAR = 1e18;
 
+// Distance of a hit that rounding would put at or behind the ray's origin. Its square is not subnormal.
+const NEAR = 1e-18;
+
 // "No primitive": the source of a camera ray, the result of a ray that escapes.
 const NONE = 0xffffffffu;
 

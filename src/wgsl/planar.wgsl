@@ -1,6 +1,13 @@
 // Planes, parallelograms and triangles.
 import package::ray::Ray;
 
+// Parallelograms that share an edge decide each for itself on which side of it a ray passes, so each reaches a little
+// beyond its edge, or a ray could slip through between them: by the rounding of t·d, which is RIM·t, here, and by that of
+// the coordinates in its size (see compile/rims.ts).
+//
+// Rounding of o + t·d as a share of t: 1/d and the four operations each lose half a ULP, 2⁻²⁴, or a little more.
+const RIM = 0x1p-21;
+
 // Distance along the ray to the plane through `point`, -1 when parallel.
 fn planeIntersect(ray: Ray, point: vec3f, normal: vec3f) -> f32 {
   let cosine = dot(normal, ray.d);
@@ -20,27 +27,28 @@ fn planeIntersectZ(ray: Ray, z: f32) -> f32 {
 }
 
 // Parallelogram by its centre, its normal (any length) and the vectors dual to its half edges: inside is |u|, |v| <= 1.
-fn quadIntersect(ray: Ray, center: vec3f, normal: vec3f, dual1: vec3f, dual2: vec3f) -> f32 {
+// `reach` is the length of the longer dual.
+fn quadIntersect(ray: Ray, center: vec3f, normal: vec3f, dual1: vec3f, dual2: vec3f, reach: f32) -> f32 {
   let t = planeIntersect(ray, center, normal);
   let q = ray.o + t * ray.d - center;
-  return select(-1.0, t, max(abs(dot(q, dual1)), abs(dot(q, dual2))) <= 1.0);
+  return select(-1.0, t, max(abs(dot(q, dual1)), abs(dot(q, dual2))) <= 1.0 + RIM * reach * abs(t));
 }
 
 // Rectangles perpendicular to an axis, by centre and half size.
 fn quadIntersectX(ray: Ray, center: vec3f, halfSize: vec3f) -> f32 {
   let t = planeIntersectX(ray, center.x);
   let q = abs(ray.o.yz + t * ray.d.yz - center.yz);
-  return select(-1.0, t, (q.x <= halfSize.y) & (q.y <= halfSize.z));
+  return select(-1.0, t, max(q.x - halfSize.y, q.y - halfSize.z) <= RIM * abs(t));
 }
 fn quadIntersectY(ray: Ray, center: vec3f, halfSize: vec3f) -> f32 {
   let t = planeIntersectY(ray, center.y);
   let q = abs(ray.o.xz + t * ray.d.xz - center.xz);
-  return select(-1.0, t, (q.x <= halfSize.x) & (q.y <= halfSize.z));
+  return select(-1.0, t, max(q.x - halfSize.x, q.y - halfSize.z) <= RIM * abs(t));
 }
 fn quadIntersectZ(ray: Ray, center: vec3f, halfSize: vec3f) -> f32 {
   let t = planeIntersectZ(ray, center.z);
   let q = abs(ray.o.xy + t * ray.d.xy - center.xy);
-  return select(-1.0, t, (q.x <= halfSize.x) & (q.y <= halfSize.y));
+  return select(-1.0, t, max(q.x - halfSize.x, q.y - halfSize.y) <= RIM * abs(t));
 }
 
 // The ray's own part of the triangle test: axes permuted so that z is its largest component, then sheared so that the
@@ -66,6 +74,8 @@ fn shearOf(ray: Ray) -> Shear {
 }
 
 // [1] appendix A, without backface culling; -1 for a miss or a triangle without area.
+// The vertices come in an order that all triangles agree on, so that two of them evaluate a common edge by the same
+// operations on the same numbers, in the same order: whatever a compiler fuses, they see the ray on the same side of it.
 fn triangleIntersect(shear: Shear, v0: vec3f, v1: vec3f, v2: vec3f) -> f32 {
   let a = permute(v0 - shear.o, shear.axis);
   let b = permute(v1 - shear.o, shear.axis);
@@ -73,11 +83,11 @@ fn triangleIntersect(shear: Shear, v0: vec3f, v1: vec3f, v2: vec3f) -> f32 {
   let pa = a.xy - shear.s.xy * a.z;
   let pb = b.xy - shear.s.xy * b.z;
   let pc = c.xy - shear.s.xy * c.z;
-  let u = pc.x * pb.y - pc.y * pb.x;
-  let v = pa.x * pc.y - pa.y * pc.x;
-  let w = pb.x * pa.y - pb.y * pa.x;
-  let determinant = u + v + w;
-  let inside = ((min(min(u, v), w) >= 0.0) | (max(max(u, v), w) <= 0.0)) & (determinant != 0.0);
-  let t = (u * a.z + v * b.z + w * c.z) * shear.s.z / select(1.0, determinant, determinant != 0.0);
+  let u = pb.x * pc.y - pb.y * pc.x;
+  let v = pa.x * pc.y - pa.y * pc.x; // of the opposite sign
+  let w = pa.x * pb.y - pa.y * pb.x;
+  let determinant = u - v + w;
+  let inside = ((min(min(u, -v), w) >= 0.0) | (max(max(u, -v), w) <= 0.0)) & (determinant != 0.0);
+  let t = (u * a.z - v * b.z + w * c.z) * shear.s.z / select(1.0, determinant, determinant != 0.0);
   return select(-1.0, t, inside);
 }

@@ -3,8 +3,9 @@ import package::bsdf::{Bsdf, specularShare};
 import package::constants::{INSIDE};
 import package::frame::{Frame, frameAround, toLocal};
 import package::lights::sphereLightPdf;
+import package::multiscatter::multiscatterGain;
 import package::ray::{Hit, Ray};
-import package::scene::{scene, shapeNormal};
+import package::scene::{F0Of, alphaOf, anchorOf, diffuseOf, emissionOf, f0Of, f90Of, lightDensityOf, multiscatterOf, schlickBeckmannOf, shapeNormal, shapeOf};
 
 // Packed by compile/packScene.ts, one per primitive.
 struct Material {
@@ -18,6 +19,8 @@ struct Material {
   f90: f32,
   // 1 for the masking "schlick-beckmann", else 0.
   schlickBeckmann: f32,
+  // Share of the light lost to multiple scattering that is given back: `metallic`, or 0 without the flag.
+  multiscatter: f32,
 }
 
 struct Surface {
@@ -36,9 +39,17 @@ struct Surface {
 }
 
 fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
-  let shape = scene.shapes[hit.id];
+  let shape = shapeOf(hit.id);
   var p = ray.o + hit.t * ray.d;
   var n = shape.xyz;
+  @if(RIMS) {
+    // Back onto the plane, and by a few ULP towards the middle: a point on the edge of a wall then lies on the inner side of
+    // the next wall, where the ray that found it came from.
+    let anchor = anchorOf(hit.id);
+    let q = p - anchor.xyz;
+    p = select(p, anchor.xyz + anchor.w * (q - dot(q, n) * n), shape.w == 0.0);
+  }
+  @if(HUGE_SPHERES) let flight = p;
   @if(SPHERES) {
     // Back onto the sphere: the point is then as exact as the radius, however far the ray came.
     let isSphere = shape.w > 0.0;
@@ -46,7 +57,17 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
     p = select(p, shape.xyz + shape.w * radial, isSphere);
     n = radial;
   }
-  @if(BOXES) n = shapeNormal(hit.id, p, n);
+  @if(HUGE_SPHERES) {
+    let anchor = anchorOf(hit.id);
+    let isHuge = (shape.w > 0.0) & (anchor.w > 0.0);
+    let g = flight - anchor.xyz;
+    let spoke = anchor.xyz - shape.xyz;
+    let f = g + spoke;
+    let height = dot(g, g + 2.0 * spoke) / (length(f) + shape.w);
+    n = select(n, normalize(f), isHuge);
+    p = select(p, flight - height * n, isHuge);
+  }
+  @if(BOXES) n = shapeNormal(ray, hit.id, p, n);
   let cosine = -dot(ray.d, n);
   let front = cosine > 0.0;
 
@@ -54,11 +75,10 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   surface.p = p;
   surface.frame = frameAround(select(-n, n, front));
   surface.wo = toLocal(surface.frame, -ray.d);
-  surface.bsdf = bsdfOf(hit.id);
-  surface.bsdf.specularShare = specularShare(surface.bsdf, surface.wo.z);
+  surface.bsdf = bsdfOf(hit.id, surface.wo.z);
   @if(EMISSION) {
-    surface.Le = select(vec3f(0.0), scene.materials[hit.id].emission, front);
-    surface.lightPdf = lightPdf(scene.materials[hit.id].lightDensity, shape, ray, hit.t, cosine);
+    surface.Le = select(vec3f(0.0), emissionOf(hit.id), front);
+    surface.lightPdf = lightPdf(lightDensityOf(hit.id), shape, ray, hit.t, cosine);
   }
   surface.source = hit.id;
   // Only a closed shape can be hit again from where the ray leaves it.
@@ -66,17 +86,19 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   return surface;
 }
 
-// Reads only what the scene's materials make use of: every field costs a gather.
-fn bsdfOf(id: u32) -> Bsdf {
+// How a primitive scatters, seen under cosO. Reads only what the scene's materials make use of: every field costs a gather.
+fn bsdfOf(id: u32, cosO: f32) -> Bsdf {
   var bsdf: Bsdf;
-  @if(DIFFUSE) bsdf.diffuse = scene.materials[id].diffuse;
+  @if(DIFFUSE) bsdf.diffuse = diffuseOf(id);
   @if(SPECULAR) {
-    bsdf.F0 = scene.materials[id].F0;
-    bsdf.f0 = scene.materials[id].f0;
-    bsdf.f90 = scene.materials[id].f90;
-    bsdf.alpha = scene.materials[id].alpha;
+    bsdf.F0 = F0Of(id);
+    bsdf.f0 = f0Of(id);
+    bsdf.f90 = f90Of(id);
+    bsdf.alpha = alphaOf(id);
   }
-  @if(SMITH && SCHLICK_BECKMANN) bsdf.schlickBeckmann = scene.materials[id].schlickBeckmann;
+  @if(SMITH && SCHLICK_BECKMANN) bsdf.schlickBeckmann = schlickBeckmannOf(id);
+  @if(MULTISCATTER) bsdf.gain = multiscatterGain(cosO, bsdf.alpha, bsdf.F0 * multiscatterOf(id));
+  bsdf.specularShare = specularShare(bsdf, cosO);
   return bsdf;
 }
 

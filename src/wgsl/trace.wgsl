@@ -1,6 +1,7 @@
 // Traces sampleCount paths per pixel and adds them to one half of the film.
 import package::camera::cameraRay;
 import package::estimator::Li;
+import package::film::{FilmPixel, filmAdd};
 import package::sampler::makeSampler;
 import package::uniforms::{frame, rayCount};
 
@@ -17,6 +18,9 @@ struct Counters {
 // Written here, cleared and read by the renderer.
 @group(0) @binding(3) var<storage, read_write> counters: Counters;
 
+// What the sums in `film` leave over: see FilmPixel. Written and read here only.
+@group(0) @binding(4) var<storage, read_write> carries: array<vec2u>;
+
 @compute @workgroup_size(8, 8)
 fn trace(@builtin(global_invocation_id) id: vec3u) {
   let pixel = vec2u(id.x, id.y + frame.firstRow);
@@ -27,7 +31,10 @@ fn trace(@builtin(global_invocation_id) id: vec3u) {
     let L = Li(cameraRay(pixel, samples), samples);
     sum += select(vec4f(0.0), vec4f(L, 1.0), isFinite(L));
   }
-  film[(frame.half * frame.size.y + pixel.y) * frame.size.x + pixel.x] += sum;
+  let index = (frame.half * frame.size.y + pixel.y) * frame.size.x + pixel.x;
+  let total = filmAdd(FilmPixel(film[index], carries[index]), sum);
+  film[index] = total.sum;
+  carries[index] = total.carry;
   atomicAdd(&counters.rays, rayCount);
   let badSamples = frame.sampleCount - u32(sum.w);
   if (badSamples > 0u) { atomicAdd(&counters.badSamples, badSamples); }

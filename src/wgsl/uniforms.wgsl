@@ -1,11 +1,11 @@
 // What changes from dispatch to dispatch. Mirrored by FRAME in renderer/frameUniforms.ts.
 
 struct FrameUniforms {
-  // The camera, in the compiled scene's coordinates.
+  // Centre of the plane where camera rays start, in the compiled scene's coordinates.
   origin: vec3f,
   // Samples per pixel in this dispatch.
   sampleCount: u32,
-  // From the origin to the centre of the image plane, and from there to its right and upper edge.
+  // From the camera to the centre of the image plane, and from there to its right and upper edge.
   forward: vec3f,
   // Index of the dispatch's first sample within the film half.
   firstSample: u32,
@@ -22,6 +22,8 @@ struct FrameUniforms {
   endRow: u32,
   maxBounces: u32,
   lightSamples: u32,
+  // Distance of `origin` from the camera in image planes. Nothing in view lies closer: see compile/clearDepth.ts.
+  near: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: FrameUniforms;

@@ -47,7 +47,8 @@ export function unpack({ sceneModule, uniform }: CompiledScene) {
   const environment = vec4();
   const materials = list("materials", struct(MATERIAL));
   const shapes = list("shapes", vec4);
+  const anchors = list("anchors", vec4);
   const lights = list("lights", struct(LIGHT));
   const slots = list("slots", vec4);
-  return { environment, materials, shapes, lights, slots, bytes: offset };
+  return { environment, materials, shapes, anchors, lights, slots, bytes: offset };
 }

@@ -32,6 +32,7 @@ export type RenderOptions = {
   /** Per pixel. */
   readonly samples: number;
   readonly seed?: number;
+  /** With `constants: true` the program with constants is used from the first sample on. */
   readonly settings?: Partial<Settings>;
 };
 
@@ -53,6 +54,7 @@ export async function renderSeeds(
   { size: [width, height], samples, seeds, settings = {} }: Omit<RenderOptions, "seed"> & { seeds: readonly number[] },
 ): Promise<Render[]> {
   const tracer = await PathTracer.create({ scene, width, height, settings, device: await testDevice() });
+  if (settings.constants) await tracer.compile();
   const renders: Render[] = [];
   for (const seed of seeds) {
     tracer.update({ seed });

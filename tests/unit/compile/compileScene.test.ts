@@ -97,6 +97,7 @@ describe("a change of what there is needs a new program", () => {
     ["a light less", ({ lights }) => lights.pop()],
     ["a perfect mirror", ({ materials }) => (materials.gloss.roughness = 0)],
     ["another masking", ({ materials }) => (materials.gloss.masking = "schlick-beckmann")],
+    ["multiple scattering", ({ materials }) => Object.assign(materials.gloss, { metallic: 1, multiscatter: true })],
     ["a plane that tilts", ({ objects }) => (objects[0].normal = [0.1, 1, 0])],
     ["a box that starts to turn", ({ objects }) => (objects[4].rotationY = 10)],
     ["an emitter that goes dark", ({ materials }) => (materials.glow.emission = [0, 0, 0])],

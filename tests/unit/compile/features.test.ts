@@ -30,7 +30,7 @@ function surfaceFeatures(material: Material): Features {
   return featuresOf([FLOOR("it")], [], { it: material });
 }
 
-const LOBES = ["DIFFUSE", "SPECULAR", "ROUGH", "MIRROR", "SMITH", "SCHLICK_BECKMANN", "LOBES"] as const;
+const LOBES = ["DIFFUSE", "SPECULAR", "ROUGH", "MIRROR", "SMITH", "SCHLICK_BECKMANN", "MULTISCATTER", "LOBES"] as const;
 
 describe("lobes", () => {
   test.each<[string, Material, (typeof LOBES)[number][]]>([
@@ -49,6 +49,17 @@ describe("lobes", () => {
       ["SPECULAR", "MIRROR"],
     ],
     ["Schlick's masking without an interface", { ior: 1, masking: "schlick-beckmann" }, ["DIFFUSE"]],
+    ["multiple scattering", { metallic: 1, multiscatter: true }, ["SPECULAR", "ROUGH", "SMITH", "MULTISCATTER"]],
+    [
+      "multiple scattering on a mirror, which has none",
+      { metallic: 1, roughness: 0, multiscatter: true },
+      ["SPECULAR", "MIRROR"],
+    ],
+    [
+      "multiple scattering on a dielectric, which keeps glTF's",
+      { multiscatter: true },
+      ["DIFFUSE", "SPECULAR", "ROUGH", "SMITH", "LOBES"],
+    ],
   ])("%s", (_, material, expected) => {
     const features = surfaceFeatures(material);
     expect(LOBES.filter((lobe) => features[lobe])).toEqual(expected);
@@ -148,6 +159,12 @@ test("settings choose the estimator, the sampler and the loop over light samples
   expect(compile(scene, { estimator: "uniform" }).features.UNIFORM).toBe(true);
   expect(compile(scene, { sampler: "independent" }).features.SOBOL).toBe(false);
   expect(compile(scene, { lightSamples: 2 }).features.MANY_LIGHT_SAMPLES).toBe(true);
+});
+
+test("the description names multiple scattering", () => {
+  const materials = { it: { metallic: 1, multiscatter: true }, other: { metallic: 1 } };
+  const { description } = compile(sceneOf([BALL("it"), BALL("other")], [], materials));
+  expect(description).toEqual(["2 × sphere", "GGX", "Smith masking", "multiple scattering", "Sobol points"]);
 });
 
 test("the description names what the shader contains, and counts it", () => {

@@ -40,6 +40,15 @@ describe("the shader contains only what the scene needs", () => {
     expect(functions).not.toContain("ggxVisibility");
   });
 
+  test("multiple scattering is there only for rough metals that ask for it", async () => {
+    const multiscatter = true;
+    const rough = await functionsOf([FLOOR], [BULB], { metallic: 1, multiscatter });
+    expect(rough).toContain("multiscatterGain");
+    for (const material of [{ metallic: 1 }, { multiscatter }, { metallic: 1, roughness: 0, multiscatter }]) {
+      expect((await functionsOf([FLOOR], [BULB], material)).filter((name) => /multiscatter/.test(name))).toEqual([]);
+    }
+  });
+
   test("mirrors need no microfacets", async () => {
     const functions = await functionsOf([FLOOR], [BULB], { metallic: 1, roughness: 0 });
     expect(functions).toContain("mirrorSample");

@@ -70,6 +70,12 @@ describe("materials", () => {
     expect(packed({ masking: "schlick-beckmann" })).toMatchObject({ schlickBeckmann: 1 });
   });
 
+  test("multiple scattering is given back in proportion to the metal", () => {
+    expect(packed({ metallic: 0.5 })).toMatchObject({ multiscatter: 0 });
+    expect(packed({ metallic: 0.5, multiscatter: true })).toMatchObject({ multiscatter: 0.5 });
+    expect(packed({ multiscatter: true })).toMatchObject({ multiscatter: 0 });
+  });
+
   test("emission is as written; a sphere light's body is black", () => {
     expect(packed({ emission: [1, 20, 0.5] })).toMatchObject({ emission: [1, 20, 0.5] });
     const light = sphereLight({ position: [0, 0, 0], radius: 1 / Math.PI, power: [4, 8, 12] });

@@ -1,5 +1,5 @@
-import { expect, test } from "vitest";
-import { Slots } from "../../../src/compile/values";
+import { describe, expect, test } from "vitest";
+import { Literals, Slots } from "../../../src/compile/values";
 
 test("a scalar fills the fourth component of a vector's slot", () => {
   const slots = new Slots();
@@ -36,4 +36,31 @@ test("every name reads back its own value, whatever the order", () => {
     const read = [...components!].map((component) => slots.numbers[4 * Number(slot) + "xyzw".indexOf(component)]);
     expect(read, name).toEqual(value);
   }
+});
+
+describe("literals", () => {
+  const literals = new Literals();
+
+  test("are the nearest f32, always with a point or an exponent", () => {
+    expect(literals.scalar(0.1)).toBe("0.10000000149011612");
+    expect(literals.scalar(2)).toBe("2.0");
+    expect(literals.scalar(-1e-20)).toBe("-9.999999682655225e-21");
+    expect(literals.vec3([1, -2, 0.5])).toBe("vec3f(1.0, -2.0, 0.5)");
+  });
+
+  test("a table is a chain of selects that starts from the commonest row", () => {
+    expect(literals.lookup("scene.x[i]", "f32", [[1], [2], [2], [3], [1], [2]])).toBe(
+      "  var value = f32(2.0);\n" +
+        "  value = select(value, f32(1.0), (i == 0u) | (i == 4u));\n" +
+        "  value = select(value, f32(3.0), (i == 3u));\n" +
+        "  return value;\n",
+    );
+    expect(literals.lookup("scene.x[i]", "u32", [[4294967295]])).toContain("u32(4294967295)");
+  });
+
+  test("a table of many different rows, or of none, stays in the uniform", () => {
+    const rows = Array.from({ length: 40 }, (_, i) => [i]);
+    expect(literals.lookup("scene.x[i]", "f32", rows)).toBe("  return scene.x[i];\n");
+    expect(literals.lookup("scene.x[i]", "f32", [])).toBe("  return scene.x[i];\n");
+  });
 });

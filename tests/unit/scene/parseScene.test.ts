@@ -27,6 +27,7 @@ describe("defaults", () => {
       ior: 1.5,
       emission: [0, 0, 0],
       masking: "smith",
+      multiscatter: false,
     });
   });
 
@@ -82,7 +83,15 @@ describe("what is accepted", () => {
     const scene = {
       camera: { position: [0, 0, 5], target: [1, 0, 0], up: [0, 0, 1], verticalFov: 90 },
       materials: {
-        m: { baseColor: [0, 0.5, 1], metallic: 1, roughness: 0, ior: 1, emission: [9, 0, 0], masking: "smith" },
+        m: {
+          baseColor: [0, 0.5, 1],
+          metallic: 1,
+          roughness: 0,
+          ior: 1,
+          emission: [9, 0, 0],
+          masking: "smith",
+          multiscatter: true,
+        },
       },
       objects: [
         { type: "sphere", center: [1, 2, 3], radius: 0.5, material },

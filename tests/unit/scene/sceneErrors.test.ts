@@ -187,6 +187,11 @@ describe("materials", () => {
     [{ emission: [-1, 0, 0] }, "emission[0]: expected a finite number ≥ 0, got -1"],
     [{ masking: "ggx" }, 'masking: expected "smith" or "schlick-beckmann", got "ggx"'],
     [{ masking: "Smith" }, 'masking: expected "smith" or "schlick-beckmann", got "Smith"; did you mean "smith"?'],
+    [{ multiscatter: 1 }, "multiscatter: expected true or false, got 1"],
+    [
+      { multiscatter: true, masking: "schlick-beckmann" },
+      'multiscatter: expected false with masking "schlick-beckmann", got true; use masking "smith"',
+    ],
   ])("%o is refused", (fields, message) => {
     expect(withMaterial(fields)).toEqual([`materials.m.${message}`]);
   });

@@ -1,0 +1,87 @@
+import { describe, expect, test } from "vitest";
+import { renderSeeds, seedsFrom } from "../support/device";
+import { loadReference, REFERENCE_NAMES, type Reference } from "../support/reference";
+import { judge, measure } from "../support/statistics";
+
+// Eight independent renders of 32 samples: together 256 samples per pixel, and a measured variance for each value.
+const SEEDS = seedsFrom(1, 8);
+const SAMPLES = 32;
+
+// The default estimator with values as constants, as a resting scene is rendered; the other with values in the uniform, as
+// an edited one is. `constants.test.ts` holds the two kinds of program together.
+const CASES = [
+  ...REFERENCE_NAMES.map((name) => ({ name, estimator: "path" as const })),
+  ...(["cornell", "bleed", "spheres"] as const).map((name) => ({ name, estimator: "uniform" as const })),
+];
+
+describe.each(CASES)("$name with the $estimator estimator, seeds 1–8", ({ name, estimator }) => {
+  const reference = loadReference(name);
+  const { width, height } = reference;
+  const rendered = renderOnce(() =>
+    renderSeeds(reference.scene, {
+      size: [width, height],
+      samples: SAMPLES,
+      seeds: SEEDS,
+      settings: { estimator, constants: estimator === "path" },
+    }),
+  );
+
+  test("agrees with Mitsuba, pixel by pixel and in the mean", async () => {
+    const renders = await rendered();
+    const measured = measure(
+      renders.map(({ image }) => image),
+      width,
+      height,
+      SAMPLES,
+    );
+    const verdict = judge(measured, reference);
+    console.log(`${name} ${estimator}: ${describeVerdict(verdict)}`);
+    expect(verdict.pixelShare).toBeGreaterThanOrEqual(0.9975);
+    expect(verdict.blockShare).toBe(1);
+    for (const sigmas of verdict.meanSigmas) expect(Math.abs(sigmas)).toBeLessThan(4);
+  });
+
+  test("drops no sample", async () => {
+    for (const { stats } of await rendered()) expect(stats.badSamples).toBe(0);
+  });
+
+  test("knows its own error", async () => {
+    const renders = await rendered();
+    const actual = Math.sqrt(meanOf(renders.map(({ image }) => relativeMse(image, reference))));
+    const estimated = Math.sqrt(meanOf(renders.map(({ stats }) => stats.error ** 2)));
+    console.log(`${name} ${estimator}: relative RMSE ${actual.toFixed(4)}, estimated ${estimated.toFixed(4)}`);
+    // Both have the same expectation: the estimate is made of two independent halves. What differs is chance, and rare
+    // bright samples rule it: the squares of some dozens of pixels carry most of either sum.
+    expect(estimated / actual).toBeGreaterThan(0.8);
+    expect(estimated / actual).toBeLessThan(1.25);
+  });
+});
+
+/** Squared relative RMSE against the reference, less what the reference's own noise contributes. */
+function relativeMse(image: Float32Array, { image: reference, standardError }: Reference): number {
+  let squares = 0;
+  let sum = 0;
+  for (let i = 0; i < reference.length; i++) {
+    const ours = image[4 * Math.floor(i / 3) + (i % 3)]!;
+    squares += (ours - reference[i]!) ** 2 - standardError[i]! ** 2;
+    sum += reference[i]!;
+  }
+  return squares / reference.length / (sum / reference.length) ** 2;
+}
+
+function meanOf(values: readonly number[]): number {
+  return values.reduce((sum, value) => sum + value, 0) / values.length;
+}
+
+function describeVerdict({ pixelShare, blockShare, meanSigmas, meanError }: ReturnType<typeof judge>): string {
+  const sigmas = meanSigmas.map((value) => value.toFixed(2)).join(" ");
+  return `pixels ${(100 * pixelShare).toFixed(2)} %, blocks ${(100 * blockShare).toFixed(1)} %, mean ${sigmas} σ, σ ${meanError.toExponential(1)}`;
+}
+
+function renderOnce<T>(render: () => Promise<T>): () => Promise<T> {
+  let result: Promise<T> | undefined;
+  return () => {
+    result ??= render();
+    return result;
+  };
+}

@@ -1,0 +1,159 @@
+import { afterAll, describe, expect, test } from "vitest";
+import { compileScene } from "../../src/compile/compileScene";
+import type { ProgramSettings } from "../../src/compile/features";
+import { linkModule, linkProgram } from "../../src/compile/linkProgram";
+import { parseScene } from "../../src/scene/parseScene";
+import type { Light, Material, Scene, SceneObject } from "../../src/scene/schema";
+import { loadReference, REFERENCE_NAMES } from "../support/reference";
+import { diagnose, diagnosePipeline, releaseTint } from "../support/tint";
+
+afterAll(() => releaseTint());
+
+const SETTINGS: readonly ProgramSettings[] = (["path", "uniform"] as const).flatMap((estimator) =>
+  (["sobol", "independent"] as const).flatMap((sampler) =>
+    [1, 4].map((lightSamples) => ({ estimator, sampler, lightSamples })),
+  ),
+);
+
+describe.each(SETTINGS)("$estimator estimator, $sampler points, $lightSamples light samples", (settings) => {
+  test.each(REFERENCE_NAMES)("%s compiles without a warning", async (name) => {
+    await expectGood(loadReference(name).scene, settings);
+  });
+});
+
+const PRIMITIVES: Readonly<Record<string, SceneObject>> = {
+  "a sphere": { type: "sphere", center: [0, 1, 0], radius: 1, material: "m" },
+  "a level plane": { type: "plane", point: [0, 0, 0], normal: [0, 1, 0], material: "m" },
+  "an upright plane": { type: "plane", point: [0, 0, -1], normal: [0, 0, 2], material: "m" },
+  "a plane across x": { type: "plane", point: [-1, 0, 0], normal: [1, 0, 0], material: "m" },
+  "a tilted plane": { type: "plane", point: [0, 0, 0], normal: [0.1, 1, 0.2], material: "m" },
+  "a quad across x": { type: "quad", corner: [0, 0, 0], edge1: [0, 1, 0], edge2: [0, 0, 1], material: "m" },
+  "a quad across y": { type: "quad", corner: [0, 0, 0], edge1: [0, 0, 1], edge2: [1, 0, 0], material: "m" },
+  "a quad across z": { type: "quad", corner: [0, 0, 0], edge1: [1, 0, 0], edge2: [0, 1, 0], material: "m" },
+  "a skewed quad": { type: "quad", corner: [0, 0, 0], edge1: [1, 0.1, 0], edge2: [0.2, 1, 0.3], material: "m" },
+  "a triangle": {
+    type: "triangle",
+    vertices: [
+      [0, 0, 0],
+      [1, 0, 0],
+      [0, 1, 0],
+    ],
+    material: "m",
+  },
+  "a triangle without area": {
+    type: "triangle",
+    vertices: [
+      [0, 0, 0],
+      [1, 0, 0],
+      [2, 0, 0],
+    ],
+    material: "m",
+  },
+  "a box": { type: "box", center: [0, 1, 0], size: [1, 2, 3], material: "m" },
+  "a turned box": { type: "box", center: [0, 1, 0], size: [1, 2, 3], rotationY: 30, material: "m" },
+};
+
+const MATERIALS: Readonly<Record<string, Material>> = {
+  Lambert: { ior: 1 },
+  plastic: {},
+  "rough metal": { metallic: 1, roughness: 0.4 },
+  "half metal": { metallic: 0.5, roughness: 0.4 },
+  "half metal with multiple scattering": { metallic: 0.5, roughness: 0.4, multiscatter: true },
+  mirror: { metallic: 1, roughness: 0 },
+  "polished plastic": { roughness: 0 },
+  "Schlick–Beckmann": { metallic: 1, roughness: 0.4, masking: "schlick-beckmann" },
+  "Schlick–Beckmann plastic": { roughness: 0.4, masking: "schlick-beckmann" },
+  "glowing Lambert": { ior: 1, emission: [1, 1, 1] },
+  "glowing metal": { metallic: 1, roughness: 0.4, emission: [1, 1, 1] },
+  "glowing mirror": { metallic: 1, roughness: 0, emission: [1, 1, 1] },
+};
+
+const LIGHTS: Readonly<Record<string, Light[]>> = {
+  "no light": [],
+  "a point light": [{ type: "point", position: [0, 3, 0], power: [1, 1, 1] }],
+  "a sphere light": [{ type: "sphere", position: [0, 3, 0], radius: 0.1, power: [1, 1, 1] }],
+  "a dark sphere light": [{ type: "sphere", position: [0, 3, 0], radius: 0.1, power: [0, 0, 0] }],
+  "lights of both kinds": [
+    { type: "point", position: [0, 3, 0], power: [1, 1, 1] },
+    { type: "sphere", position: [1, 3, 0], radius: 0.1, power: [1, 1, 1] },
+  ],
+};
+
+const ESTIMATORS: readonly ProgramSettings[] = [
+  { estimator: "path", sampler: "sobol", lightSamples: 1 },
+  { estimator: "uniform", sampler: "independent", lightSamples: 2 },
+];
+
+describe.each(ESTIMATORS)("$estimator estimator", (settings) => {
+  describe.each(Object.keys(PRIMITIVES))("%s", (primitive) => {
+    test.each(Object.keys(MATERIALS))("of %s compiles without a warning, whatever the light", async (material) => {
+      for (const lights of Object.values(LIGHTS)) {
+        for (const radiance of [
+          [0, 0, 0],
+          [1, 1, 1],
+        ] as const) {
+          await expectGood(sceneOf([PRIMITIVES[primitive]!], { m: MATERIALS[material]! }, lights, radiance), settings);
+        }
+      }
+    });
+  });
+
+  test.each(Object.keys(LIGHTS))("an empty scene with %s compiles without a warning", async (light) => {
+    await expectGood(sceneOf([], {}, LIGHTS[light]!, [0, 0, 0]), settings);
+    await expectGood(sceneOf([], {}, LIGHTS[light]!, [1, 1, 1]), settings);
+  });
+
+  test("everything at once compiles without a warning", async () => {
+    const names = Object.keys(MATERIALS);
+    const objects = Object.values(PRIMITIVES).flatMap((object) => names.map((material) => ({ ...object, material })));
+    await expectGood(sceneOf(objects, MATERIALS, LIGHTS["lights of both kinds"]!, [1, 1, 1]), settings);
+  });
+
+  test.each(Object.keys(MATERIALS))("two materials, one of them %s, compile without a warning", async (first) => {
+    const objects = [0, 1].map((i): SceneObject => ({ ...PRIMITIVES["a sphere"]!, material: ["a", "b"][i]! }));
+    for (const second of Object.values(MATERIALS)) {
+      await expectGood(sceneOf(objects, { a: MATERIALS[first]!, b: second }, [], [1, 1, 1]), settings);
+    }
+  });
+});
+
+test.each(["blit", "error"])("the module %s compiles without a warning", async (name) => {
+  expect(await diagnose(await linkModule(name))).toEqual([]);
+});
+
+test("what does not compile is told with its line", async () => {
+  const messages = await diagnose("fn a() -> f32 {\n  return 1u;\n}\n");
+  expect(messages.join("\n")).toMatch(/2:3 error: .*\n {4}return 1u;/);
+});
+
+function sceneOf(
+  objects: readonly SceneObject[],
+  materials: Readonly<Record<string, Material>>,
+  lights: readonly Light[],
+  radiance: readonly [number, number, number],
+): Scene {
+  return {
+    camera: { position: [0, 1, 5] },
+    materials: { ...materials },
+    objects: [...objects],
+    lights: [...lights],
+    environment: { radiance },
+  };
+}
+
+// Programs that differ in values only have the same text: compile each text once.
+const good = new Set<string>();
+
+async function expectGood(scene: Scene, settings: ProgramSettings): Promise<void> {
+  const resolved = parseScene(scene);
+  for (const camera of [undefined, resolved.camera]) {
+    // Values in the uniform, then as constants.
+    const { sceneModule, features } = compileScene(resolved, settings, camera);
+    const key = JSON.stringify(features) + sceneModule;
+    if (good.has(key)) continue;
+    const wgsl = await linkProgram(sceneModule, features);
+    expect(await diagnose(wgsl), JSON.stringify(features)).toEqual([]);
+    expect(await diagnosePipeline(wgsl, "trace"), JSON.stringify(features)).toEqual([]);
+    good.add(key);
+  }
+}

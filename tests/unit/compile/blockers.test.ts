@@ -1,0 +1,77 @@
+import { describe, expect, test } from "vitest";
+import { canBlock } from "../../../src/compile/blockers";
+import { emittersOf } from "../../../src/compile/emitters";
+import { primitivesOf } from "../../../src/compile/primitives";
+import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
+import { parseScene } from "../../../src/scene/parseScene";
+import type { Light, SceneObject, Vec3 } from "../../../src/scene/schema";
+import { sceneOf } from "../../support/compiled";
+import { loadReference } from "../../support/reference";
+
+const CAMERA: Vec3 = [0, 1, 5];
+const material = "lambert";
+const floor = quad({ corner: [-1, 0, 1], edge1: [2, 0, 0], edge2: [0, 0, -2], material });
+const ground = plane({ point: [0, 0, 0], normal: [0, 1, 0], material });
+const lamp = sphereLight({ position: [0, 3, 0], radius: 0.5, power: [1, 1, 1] });
+
+/** Ids of the primitives that can block: the objects in order, then the sphere lights. */
+function blockersOf(objects: readonly SceneObject[], lights: readonly Light[], camera = CAMERA): number[] {
+  return blockersIn(parseScene(sceneOf(objects, lights)), camera);
+}
+
+function blockersIn(scene: ReturnType<typeof parseScene>, camera: Vec3): number[] {
+  const primitives = primitivesOf(scene, [0, 0, 0]);
+  const emitters = emittersOf(scene, primitives, [0, 0, 0], "power");
+  return [...primitives.keys()].filter((id) => canBlock(id, primitives, emitters, camera));
+}
+
+describe("a quad or triangle", () => {
+  test("with everything on one side never blocks; bodies always may", () => {
+    const ball = sphere({ center: [0, 0.5, 0], radius: 0.5, material }); // touches the floor
+    const crate = box({ center: [0.5, 0.25, 0.5], size: [0.5, 0.5, 0.5], rotationY: 30, material });
+    expect(blockersOf([floor, ball, crate], [lamp])).toEqual([1, 2, 3]);
+  });
+
+  test("blocks as soon as something reaches through it", () => {
+    const sunk = sphere({ center: [0, 0.4, 0], radius: 0.5, material });
+    expect(blockersOf([floor, sunk], [lamp])).toContain(0);
+  });
+
+  test("blocks between a light behind it and a surface in front", () => {
+    const shelf = triangle({
+      vertices: [
+        [-1, 1, 0],
+        [1, 1, 0],
+        [0, 1, 1],
+      ],
+      material,
+    });
+    expect(blockersOf([floor, shelf], [lamp])).toContain(1);
+    expect(blockersOf([floor, shelf], [pointLight({ position: [0, 0.5, 0], power: [1, 1, 1] })])).not.toContain(1);
+  });
+
+  test("may block where an infinite plane passes behind it", () => {
+    expect(blockersOf([floor, plane({ point: [0, 0, -3], normal: [0, 0, 1], material })], [lamp])).toContain(0);
+  });
+});
+
+describe("an infinite plane", () => {
+  test("never blocks with the camera and every light in front, whatever reaches through it", () => {
+    const sunk = sphere({ center: [0, 0.4, 0], radius: 0.5, material });
+    expect(blockersOf([ground, sunk], [lamp])).not.toContain(0);
+  });
+
+  test("blocks for a camera on its other side", () => {
+    expect(blockersOf([ground], [lamp], [0, -1, 5])).toContain(0);
+  });
+
+  test("blocks a light that reaches through it", () => {
+    expect(blockersOf([ground], [sphereLight({ position: [0, 0.2, 0], radius: 0.5, power: [1, 1, 1] })])).toContain(0);
+  });
+});
+
+test("in the Cornell box only the two boxes and what hides behind the lamp's plane can block", () => {
+  const scene = parseScene(loadReference("cornell").scene);
+  // Walls 0–4 have everything on one side. The lamp, 5, hangs below the ceiling and has both sides occupied.
+  expect(blockersIn(scene, scene.camera.position)).toEqual([5, 6, 7]);
+});
