@@ -7,7 +7,7 @@ import type { Emitter } from "./emitters";
 import type { Features } from "./features";
 import { LIGHT, MATERIAL } from "./layouts";
 import { anchorRows, lightRows, materialRows, shapeRow } from "./packScene";
-import { type Primitive, type Shape, unreachable } from "./primitives";
+import { hasArea, type Primitive, type Shape, unreachable } from "./primitives";
 import { dualWithRim, inCommonOrder, withRim } from "./rims";
 import type { RowType, Values } from "./values";
 import { add, cross, length, scale, subtract } from "./vec3";
@@ -185,6 +185,8 @@ function emitPrimitive(shape: Shape, id: number, values: Values): EmittedPrimiti
       return { distance: `quadIntersect(ray, ${center}, ${frame}, ${reach})` };
     }
     case "triangle": {
+      // In f32 it would be hit by rays at it, at distances that are noise.
+      if (!hasArea(shape.vertices)) return { distance: "-1.0" };
       const vertices = inCommonOrder(shape.vertices)
         .map((vertex) => values.vec3(vertex))
         .join(", ");

@@ -21,7 +21,7 @@ export function deriveFeatures(
 ) {
   const materials = primitives.flatMap(({ material }) => (material === "black" ? [] : [material]));
   const specular = materials.filter(hasSpecularLobe);
-  const rough = specular.filter((material) => material.roughness > 0);
+  const rough = specular.filter((material) => alphaOf(material) > 0);
   const hasShape = (kind: Shape["kind"]) => primitives.some(({ shape }) => shape.kind === kind);
   const hasLight = (kind: LightKind) => emitters.some((emitter) => emitter.kind === kind);
   const emits = ({ material, emission }: Primitive) => material === "black" || emission.some((value) => value > 0);
@@ -37,7 +37,7 @@ export function deriveFeatures(
     DIFFUSE,
     SPECULAR,
     ROUGH: rough.length > 0,
-    MIRROR: specular.some((material) => material.roughness === 0),
+    MIRROR: specular.some((material) => alphaOf(material) === 0),
     SMITH: rough.some((material) => material.masking === "smith"),
     SCHLICK_BECKMANN: rough.some((material) => material.masking === "schlick-beckmann"),
     MULTISCATTER: rough.some((material) => material.multiscatter && material.metallic > 0),
@@ -70,6 +70,15 @@ export function hasRims(primitives: readonly Primitive[]): boolean {
 /** A dielectric of ior 1 has no interface: it is Lambert only. */
 export function hasSpecularLobe(material: ResolvedMaterial): boolean {
   return material.metallic > 0 || material.ior > 1;
+}
+
+// Microfacets tilted by less than f32 rounds a direction; with a smaller α the square of their density overflows.
+const LEAST_ALPHA = 2 ** -24;
+
+/** Width of the microfacets' distribution; 0 is a perfect mirror. */
+export function alphaOf({ roughness }: ResolvedMaterial): number {
+  const alpha = roughness ** 2;
+  return alpha < LEAST_ALPHA ? 0 : alpha;
 }
 
 /** The features in words, for people: what the compiled shader contains. */

@@ -2,7 +2,7 @@ import { dielectricF0 } from "../scene/metals";
 import type { ResolvedMaterial, Rgb } from "../scene/schema";
 import type { StructFields, StructLayout, StructValue } from "./defineStruct";
 import { type Emitter, LIGHT_KINDS } from "./emitters";
-import { hasHugeSpheres, hasRims, hasSpecularLobe } from "./features";
+import { alphaOf, hasHugeSpheres, hasRims, hasSpecularLobe } from "./features";
 import { LIGHT, MATERIAL } from "./layouts";
 import type { Primitive, Shape } from "./primitives";
 import { towardsMiddle } from "./rims";
@@ -48,13 +48,13 @@ function materialRow({ shape, material, emission }: Primitive, id: number, emitt
 
 function reflectance(material: ResolvedMaterial | "black") {
   if (material === "black") return BLACK;
-  const { baseColor, metallic, roughness, ior, masking, multiscatter } = material;
+  const { baseColor, metallic, ior, masking, multiscatter } = material;
   const schlickBeckmann = masking === "schlick-beckmann" ? 1 : 0;
   if (!hasSpecularLobe(material)) return { ...BLACK, diffuse: baseColor };
   const f0 = dielectricF0(ior);
   return {
     F0: add(scale([f0, f0, f0], 1 - metallic), scale(baseColor, metallic)),
-    alpha: roughness ** 2,
+    alpha: alphaOf(material),
     diffuse: scale(baseColor, 1 - metallic),
     f0,
     f90: 1,

@@ -110,6 +110,16 @@ function shapeOf(object: ResolvedObject, origin: Vec3, reach: number): Shape {
   }
 }
 
+/** Whether a triangle has an area, but for the rounding of its coordinates as written. */
+export function hasArea([a, b, c]: readonly [Vec3, Vec3, Vec3]): boolean {
+  const [edge1, edge2, edge3] = [subtract(b, a), subtract(c, a), subtract(c, b)];
+  return length(cross(edge1, edge2)) > 1e-12 * Math.max(...[edge1, edge2, edge3].map((edge) => dot(edge, edge)));
+}
+
+function dot(a: Vec3, b: Vec3): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 function axisOf(direction: Vec3): Axis | undefined {
   const [x, y, z] = direction.map((component) => component !== 0);
   if (x && !y && !z) return "X";

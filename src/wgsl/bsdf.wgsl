@@ -9,6 +9,9 @@ import package::directions::{cosineHemisphere, uniformHemisphere};
 import package::fresnel::schlickWeight;
 import package::ggx::{ggxPdf, ggxSample, ggxVisibility, ggxD, schlickBeckmannVisibility};
 
+// Directions closer to the surface count as below it: the square of the half vector's length may underflow.
+const LEAST_COSINE = 1e-18;
+
 struct Bsdf {
   // (1 − metallic)·baseColor
   diffuse: vec3f,
@@ -73,7 +76,7 @@ fn bsdfEval(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> vec4f {
       @if(MIRROR) value += select(vec4f(0.0), vec4f(F * glossy.x, bsdf.specularShare * glossy.y), bsdf.alpha > 0.0);
       @if(!MIRROR) value += vec4f(F * glossy.x, bsdf.specularShare * glossy.y);
     }
-    return select(vec4f(0.0), value, wi.z > 0.0 && wo.z > 0.0);
+    return select(vec4f(0.0), value, min(wo.z, wi.z) > LEAST_COSINE);
   }
 }
 

@@ -3,7 +3,7 @@
 // The lobe is scaled so that, for F = 1, it reflects all light. One factor for all wi: cheap and sampled as before, but not
 // reciprocal; Kulla and Conty's second lobe would be, at the price of another table and another sampler.
 //
-// [1] Turquin 2019, "Practical multiple scattering compensation for microfacet models", eq. 16
+// [1] Turquin 2019, "Practical multiple scattering compensation for microfacet models"
 // [2] Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2)
 
 // The share of light from above that a white microsurface, seen under cosTheta, does not reflect: 1 − E(cosTheta, alpha).

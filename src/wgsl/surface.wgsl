@@ -49,17 +49,17 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
     let q = p - anchor.xyz;
     p = select(p, anchor.xyz + anchor.w * (q - dot(q, n) * n), shape.w == 0.0);
   }
+  @if(SPHERES) let isSphere = shape.w > 0.0;
+  @if(HUGE_SPHERES) let isHuge = isSphere & (anchorOf(hit.id).w > 0.0);
   @if(HUGE_SPHERES) let flight = p;
   @if(SPHERES) {
     // Back onto the sphere: the point is then as exact as the radius, however far the ray came.
-    let isSphere = shape.w > 0.0;
     let radial = normalize(select(n, p - shape.xyz, isSphere));
     p = select(p, shape.xyz + shape.w * radial, isSphere);
     n = radial;
   }
   @if(HUGE_SPHERES) {
     let anchor = anchorOf(hit.id);
-    let isHuge = (shape.w > 0.0) & (anchor.w > 0.0);
     let g = flight - anchor.xyz;
     let spoke = anchor.xyz - shape.xyz;
     let f = g + spoke;
@@ -69,7 +69,15 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   }
   @if(BOXES) n = shapeNormal(ray, hit.id, p, n);
   let cosine = -dot(ray.d, n);
-  let front = cosine > 0.0;
+  var front = cosine > 0.0;
+  @if(SPHERES) {
+    // A sphere is met from the side the ray starts on; at grazing angles rounding would have it otherwise now and then. Of a
+    // huge one the origin's side is the less certain.
+    let toOrigin = ray.o - shape.xyz;
+    let startsInside = (ray.source == (hit.id | INSIDE)) | (dot(toOrigin, toOrigin) < shape.w * shape.w);
+    @if(!HUGE_SPHERES) front = select(front, !startsInside, isSphere);
+    @if(HUGE_SPHERES) front = select(front, !startsInside, isSphere & !isHuge);
+  }
 
   var surface: Surface;
   surface.p = p;

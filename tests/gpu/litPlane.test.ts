@@ -11,7 +11,7 @@ const ALBEDO = 0.5;
 // 0.01 above it, changes by 3·x²/2h² = 0.1 % at the image's edge; all others by less than 1e-6.
 const FIELD_OF_VIEW = 1e-4;
 // Relative error of one pixel's estimate that all samples share: f32 arithmetic of some ten operations on coordinates
-// that are exact to 2⁻²⁴, and SwiftShader's sine and cosine (absolute error 2⁻¹¹ allowed by WGSL, 1e-6 in fact).
+// that are exact to 2⁻²⁴.
 const ARITHMETIC = 1e-5;
 
 const ESTIMATORS = ["path", "uniform"] as const;

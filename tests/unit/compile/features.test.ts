@@ -40,6 +40,7 @@ describe("lobes", () => {
     ["a polished dielectric", { roughness: 0 }, ["DIFFUSE", "SPECULAR", "MIRROR", "LOBES"]],
     ["a rough metal", { metallic: 1 }, ["SPECULAR", "ROUGH", "SMITH"]],
     ["a mirror", { metallic: 1, roughness: 0 }, ["SPECULAR", "MIRROR"]],
+    ["all but a mirror: rougher in name only", { metallic: 1, roughness: 1e-4 }, ["SPECULAR", "MIRROR"]],
     ["a metal of ior 1", { metallic: 1, ior: 1 }, ["SPECULAR", "ROUGH", "SMITH"]],
     ["half a metal of ior 1", { metallic: 0.5, ior: 1 }, ["DIFFUSE", "SPECULAR", "ROUGH", "SMITH", "LOBES"]],
     ["Schlick's masking", { metallic: 1, masking: "schlick-beckmann" }, ["SPECULAR", "ROUGH", "SCHLICK_BECKMANN"]],

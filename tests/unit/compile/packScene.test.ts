@@ -65,6 +65,11 @@ describe("materials", () => {
     expect(packed({ roughness })).toMatchObject({ alpha });
   });
 
+  test("a roughness that tilts no direction by as much as f32 rounds it is a perfect mirror's", () => {
+    expect(packed({ roughness: 2 ** -12 })).toMatchObject({ alpha: 2 ** -24 });
+    for (const roughness of [2 ** -12.1, 1e-30]) expect(packed({ roughness })).toMatchObject({ alpha: 0 });
+  });
+
   test("masking is a flag", () => {
     expect(packed({})).toMatchObject({ schlickBeckmann: 0 });
     expect(packed({ masking: "schlick-beckmann" })).toMatchObject({ schlickBeckmann: 1 });

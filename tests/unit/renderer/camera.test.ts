@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { mat4d, type Vec3d, vec3d } from "wgpu-matrix";
-import { cameraBasis } from "../../../src/renderer/camera";
+import { cameraBasis, rayStart } from "../../../src/renderer/camera";
 import { parseCamera } from "../../../src/scene/parseScene";
 import type { Camera } from "../../../src/scene/schema";
 
@@ -92,4 +92,15 @@ test("the length of up and the distance to the target do not matter, however sma
 test("an up close to the view's direction still gives a picture", () => {
   const basis = basisOf({ position: [0, 0, 1], target: [0, 0, 0], up: [0, 5e-6, -1] });
   expectVector(basis.up, [0, Math.tan(Math.PI / 8), 0]);
+});
+
+test("rays start on a plane clear of the scene, in the same directions", () => {
+  const basis = basisOf(CAMERA);
+  const { target } = CAMERA;
+  const start = rayStart(basis, [{ kind: "sphere", center: [target[0], target[1], target[2]], radius: 0.5 }]);
+  const distance = vec3d.distance(CAMERA.position, target);
+  expect(start.near).toBeGreaterThan(0.99 * (distance - 0.5));
+  expect(start.near).toBeLessThan(distance - 0.5);
+  expectVector(start.origin, vec3d.addScaled(CAMERA.position, vec3d.clone(basis.forward), start.near));
+  expect(start).toMatchObject({ forward: basis.forward, right: basis.right, up: basis.up });
 });
