@@ -1,4 +1,4 @@
-import { WebGpuError } from "../errors";
+import { lossError } from "../gpu/device";
 import { PathTracer } from "../renderer/pathTracer";
 import { DEFAULT_SETTINGS, type Settings } from "../renderer/settings";
 import type { ResolvedCamera, Scene } from "../scene/schema";
@@ -145,10 +145,10 @@ export class Stage {
   }
 
   #watchDevice(view: CanvasView): void {
-    void view.tracer.device.lost.then(({ message }) => {
+    void view.tracer.device.lost.then((info) => {
       if (this.#view !== view) return;
       this.clear();
-      this.#listener.onError(new WebGpuError(`The GPU device was lost${message === "" ? "" : `: ${message}`}`));
+      this.#listener.onError(lossError(info));
     });
   }
 

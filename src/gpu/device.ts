@@ -30,3 +30,8 @@ export function adapterName(device: GPUDevice): string {
   const parts = [vendor, architecture, description].filter((part) => part !== "");
   return [...new Set(parts)].join(" · ") || "unknown adapter";
 }
+
+/** What to throw when work fails because the device is lost. */
+export function lossError({ message }: GPUDeviceLostInfo): WebGpuError {
+  return new WebGpuError(`The GPU device was lost${message === "" ? "" : `: ${message}`}`);
+}

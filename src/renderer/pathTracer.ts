@@ -1,7 +1,7 @@
 import { type CompiledScene, compileScene } from "../compile/compileScene";
 import { linkModule } from "../compile/linkProgram";
 import { WebGpuError } from "../errors";
-import { adapterName, requestDevice } from "../gpu/device";
+import { adapterName, lossError, requestDevice } from "../gpu/device";
 import { ErrorPass } from "../gpu/errorPass";
 import { Film } from "../gpu/film";
 import { createComputePipeline } from "../gpu/pipelines";
@@ -42,6 +42,8 @@ const MAX_IN_FLIGHT = 2;
 // with its values as constants.
 const REST_MS = 500;
 const BAKE_SAMPLES = 16;
+// Work on a lost device fails up to this many milliseconds before the device says that it is lost.
+const LOSS_NOTICE_MS = 100;
 // Milliseconds between two estimates of the error.
 const ERROR_INTERVAL_MS = 200;
 
@@ -401,8 +403,10 @@ export class PathTracer {
       this.#meter.updateConverged(this.#settings);
     };
     const working = report()
-      .catch((error: unknown) => {
-        if (!this.#disposed) throw error;
+      .catch(async (error: unknown) => {
+        if (this.#disposed) return;
+        const loss = await Promise.race([this.device.lost.then(lossError), sleep(LOSS_NOTICE_MS)]);
+        throw loss ?? error;
       })
       .finally(() => this.#working.delete(readback));
     this.#working.set(readback, working);
