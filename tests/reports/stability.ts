@@ -28,6 +28,17 @@ scene's units where a row asserts a length, else relative.
 again and lose their light; on a convex floor none should. Left: quadratic formula, t > 10⁻⁴. Right: rt-viewer.*
 `;
 
+const COST = `## What it costs
+
+CPU time per path on SwiftShader, values in uniforms, 256², the least of six runs, before and after all measures in turn:
+\`cornell\` 1.35 → 1.45 µs (+8 %), \`spheres\` 0.87 → 0.87 µs (the runs differ by 5 %). Leaving out one measure at a time on
+\`cornell\`, of 0.909 µs with constants: hit points drawn back onto flat shapes 0.040, box normals 0.025, rims of quads 0.020,
+the film's carry 0.007. The common order of vertices is made on the CPU and costs nothing.
+
+A scene pays for what it can hit only: flat shapes are drawn together where there are at least two, spheres are measured from
+the ground where one is huge, \`multiscatter\` is compiled where a material asks for it.
+`;
+
 /**
  * `npm run report:stability`: runs the stability tests and writes `stability.md` from what they found.
  * `npm run test:long` (`--long`): the same tests with ten times the inputs, and no report.
@@ -59,7 +70,7 @@ function report(): string {
     const rows = names.filter((name) => files.has(name)).flatMap(readRows);
     return rows.length > 0 ? [`## ${title}\n\n${table(rows)}`] : [];
   });
-  return [INTRODUCTION, ...parts].join("\n");
+  return [INTRODUCTION, ...parts, COST].join("\n");
 }
 
 function readRows(name: string): StabilityRow[] {
