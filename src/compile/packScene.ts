@@ -85,7 +85,6 @@ export function shapeRow(shape: Shape): number[] {
   }
 }
 
-/** The emitters, as the shader's table wants them. */
 /** One per primitive, or none where the shader reads none: see features. */
 export function anchorRows(primitives: readonly Primitive[]): number[][] {
   const isRead = hasRims(primitives) || hasHugeSpheres(primitives);
@@ -122,6 +121,7 @@ function anchorRow(shape: Shape): number[] {
   }
 }
 
+/** The emitters, as the shader's table wants them. */
 export function lightRows(emitters: readonly Emitter[]) {
   let start = 0;
   return emitters.map((emitter) => {

@@ -6,7 +6,7 @@ import { ErrorPass } from "../gpu/errorPass";
 import { Film } from "../gpu/film";
 import { createComputePipeline } from "../gpu/pipelines";
 import { Readback } from "../gpu/readback";
-import { TracePass } from "../gpu/tracePass";
+import { type FrameUniforms, TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
 import { Baked } from "./baked";
@@ -14,7 +14,7 @@ import { cameraBasis, rayStart } from "./camera";
 import { Display, readPicture, type View } from "./display";
 import { Meter } from "./meter";
 import { createProgram, type Program, programKey } from "./program";
-import { Progress, type Slice } from "./progress";
+import { Progress } from "./progress";
 import { DEFAULT_SETTINGS, type Settings } from "./settings";
 import type { Stats } from "./stats";
 
@@ -29,6 +29,8 @@ export type PathTracerOptions = {
 };
 
 /** A scene and where it is seen from. */
+type SharedUniforms = Omit<FrameUniforms, "half" | "firstSample" | "sampleCount" | "firstRow" | "endRow">;
+
 type Shown = { readonly scene: ResolvedScene; readonly camera: ResolvedCamera };
 
 // Milliseconds of work in one submit: while a page renders, and while nobody watches.
@@ -70,6 +72,8 @@ export class PathTracer {
   #film: Film;
   #errorPass: ErrorPass;
   #progress: Progress;
+  /** Taken when the accumulation starts, so that a pass is of one piece whatever changes meanwhile. */
+  #shared: SharedUniforms;
   #display: Display | Promise<void> | undefined;
 
   /** The film must be cleared before the next sample, because what it shows has changed. */
@@ -136,6 +140,7 @@ export class PathTracer {
     this.#progress = new Progress(height);
     this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
     this.#trace = new TracePass(device, program.pipeline, compiled.uniform, this.#film);
+    this.#shared = this.#sharedUniforms();
     device.addEventListener("uncapturederror", this.#onDeviceError);
     this.#baked = new Baked(device);
     this.#meter = new Meter(adapterName(device));
@@ -357,6 +362,7 @@ export class PathTracer {
   #restart(): void {
     this.#stale = false;
     this.#restartedAt = performance.now();
+    this.#shared = this.#sharedUniforms();
     this.#trace.writeScene(this.#compiled.uniform);
     if (this.#settings.constants) this.#baked.change(this.#bakedScene, this.#film);
     else this.#baked.drop();
@@ -387,7 +393,9 @@ export class PathTracer {
 
     const encoder = this.device.createCommandEncoder({ label: "sample" });
     const trace = this.#baked.trace ?? this.#trace;
-    trace.encode(encoder, this.#frameUniforms(slice), readback.timestampWrites);
+    const { half, firstSample, count: sampleCount, firstRow, endRow } = slice;
+    const frame = { ...this.#shared, half, firstSample, sampleCount, firstRow, endRow };
+    trace.encode(encoder, frame, readback.timestampWrites);
     if (wantsError) this.#errorPass.encode(encoder);
     readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
     this.device.queue.submit([encoder.finish()]);
@@ -413,21 +421,12 @@ export class PathTracer {
     return working;
   }
 
-  #frameUniforms({ half, firstSample, count, firstRow, endRow }: Slice) {
+  /** What the dispatches of one accumulation have in common. */
+  #sharedUniforms(): SharedUniforms {
     const { width, height } = this;
     const { seed, lightSamples, maxBounces = this.#scene.maxBounces } = this.#settings;
-    return {
-      ...rayStart(cameraBasis(this.#camera, this.#compiled.origin, width / height), this.#compiled.shapes),
-      size: [width, height],
-      half,
-      firstSample,
-      sampleCount: count,
-      firstRow,
-      endRow,
-      seed,
-      maxBounces,
-      lightSamples,
-    };
+    const view = rayStart(cameraBasis(this.#camera, this.#compiled.origin, width / height), this.#compiled.shapes);
+    return { ...view, size: [width, height], seed, maxBounces, lightSamples };
   }
 }
 

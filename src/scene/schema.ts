@@ -199,7 +199,6 @@ export type ResolvedCamera = v.InferOutput<typeof CameraSchema>;
 export type ResolvedMaterial = v.InferOutput<typeof MaterialSchema>;
 export type ResolvedObject = v.InferOutput<typeof ObjectSchema>;
 export type ResolvedLight = v.InferOutput<typeof LightSchema>;
-export type ResolvedEnvironment = v.InferOutput<typeof EnvironmentSchema>;
 
 function subtract(a: Vec3, b: Vec3): Vec3 {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];

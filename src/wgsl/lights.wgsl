@@ -3,7 +3,7 @@
 // [1] Shirley, Wang, Zimmerman 1996, "Monte Carlo Techniques for Direct Lighting Calculations", TOG 15(1)
 // [2] Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., section 6.2.4
 // [3] Heitz 2019, "A Low-Distortion Map Between Triangle and Square"
-import package::constants::{NONE, TWO_PI, PI};
+import package::constants::{NONE, TWO_PI};
 import package::directions::{circle, uniformSphere};
 import package::frame::{frameAround, toWorld};
 import package::scene::{chooseLight, lightAt};

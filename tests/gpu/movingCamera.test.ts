@@ -1,0 +1,37 @@
+import { expect, test } from "vitest";
+import { PathTracer } from "../../src/renderer/pathTracer";
+import { testDevice } from "../support/device";
+import { loadReference } from "../support/reference";
+
+// Before anything is measured a frame takes 8192 paths: a quarter of this image.
+const [WIDTH, HEIGHT] = [256, 128];
+
+test("a camera that moves during the first pass leaves that pass in one piece, seed 1", async () => {
+  const { scene } = loadReference("cornell");
+  const options = { scene, width: WIDTH, height: HEIGHT, device: await testDevice(), settings: { constants: false } };
+  const still = await PathTracer.create(options);
+  await still.sample(1);
+
+  const moved = await PathTracer.create(options);
+  let frames = 0;
+  while (moved.stats.samples === 0) {
+    await finishFrame(moved);
+    frames++;
+    moved.setCamera({ ...scene.camera, position: [0.5, 0.5, 3 + frames / 10] });
+  }
+  expect(frames).toBeGreaterThan(1);
+  expect(await moved.readRadiance()).toEqual(await still.readRadiance());
+
+  // And then it follows.
+  await finishFrame(moved);
+  expect(moved.stats.samples).toBe(0);
+  still.dispose();
+  moved.dispose();
+});
+
+/** One frame's work, done and reported: every report has a new measured time. */
+async function finishFrame(tracer: PathTracer): Promise<void> {
+  const before = tracer.stats.gpuMs;
+  expect(tracer.frame()).toBe(true);
+  await expect.poll(() => tracer.stats.gpuMs).not.toBe(before);
+}
