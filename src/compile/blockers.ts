@@ -1,7 +1,7 @@
 import type { Vec3 } from "../scene/schema";
 import type { Emitter } from "./emitters";
 import type { Primitive, Shape } from "./primitives";
-import { add, scale, subtract } from "./vec3";
+import { add, dot, scale, subtract } from "./vec3";
 
 /**
  * Whether a primitive can come between a shaded point and a light. A flat one cannot if everything that light sampling
@@ -78,8 +78,4 @@ function corners({ center, halfSize, turn = 0 }: Shape & { kind: "box" }): Vec3[
 function pointOn(shape: Shape & { kind: "plane" | "quad" | "triangle" }): Vec3 {
   if (shape.kind === "plane") return shape.point;
   return shape.kind === "quad" ? shape.corner : shape.vertices[0];
-}
-
-function dot(a: Vec3, b: Vec3): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

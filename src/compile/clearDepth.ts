@@ -1,7 +1,7 @@
 import type { Vec3 } from "../scene/schema";
 import { extent } from "./blockers";
 import type { Shape } from "./primitives";
-import { add, scale, subtract } from "./vec3";
+import { add, dot, scale, subtract } from "./vec3";
 
 /** A view: the ray through image plane coordinates (x, y) in [-1, 1] runs along forward + x·right + y·up, forward unit. */
 export type View = { readonly origin: Vec3; readonly forward: Vec3; readonly right: Vec3; readonly up: Vec3 };
@@ -28,8 +28,4 @@ function depthOf(shape: Shape, { origin, forward, right, up }: View): number {
   const inverseDepth = Math.max(...slopes.map((slope) => slope / height));
   if (height === 0) return 0;
   return inverseDepth > 0 ? 1 / inverseDepth : Number.POSITIVE_INFINITY;
-}
-
-function dot(a: Vec3, b: Vec3): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

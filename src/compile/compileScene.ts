@@ -2,7 +2,7 @@ import { UnsupportedError } from "../errors";
 import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
 import { canBlock } from "./blockers";
 import { emitScene } from "./emitScene";
-import { emittersOf } from "./emitters";
+import { emittersOf, isEmissive } from "./emitters";
 import { deriveFeatures, describeFeatures, type Features, type ProgramSettings } from "./features";
 import { packScene } from "./packScene";
 import { primitivesOf, type Shape } from "./primitives";
@@ -23,6 +23,8 @@ export type CompiledScene = {
   readonly uniform: ArrayBuffer;
   /** What rays can hit, relative to `origin`. */
   readonly shapes: readonly Shape[];
+  /** Those of them that emit. */
+  readonly lamps: readonly Shape[];
   /** The scene's point that is the shader's origin; subtract it from the camera's position. */
   readonly origin: Vec3;
 };
@@ -45,7 +47,7 @@ export function compileScene(
   // scene far from the world's origin as precise as one around it.
   const origin = scene.camera.target;
   const primitives = primitivesOf(scene, origin);
-  const emitters = emittersOf(scene, primitives, origin, settings.estimator === "uniform" ? "even" : "power");
+  const emitters = emittersOf(scene, primitives, origin);
   const environment = scene.environment.radiance;
   const features = deriveFeatures(
     primitives,
@@ -75,6 +77,7 @@ export function compileScene(
     description: [...describeFeatures(primitives, emitters, features), ...(camera ? ["values as constants"] : [])],
     uniform,
     shapes: primitives.map(({ shape }) => shape),
+    lamps: primitives.filter(isEmissive).map(({ shape }) => shape),
     origin,
   };
 }

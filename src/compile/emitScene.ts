@@ -3,6 +3,7 @@
 
 import type { Vec3 } from "../scene/schema";
 import type { StructFields, StructLayout } from "./defineStruct";
+import { emitLightChoice } from "./emitLights";
 import type { Emitter } from "./emitters";
 import type { Features } from "./features";
 import { LIGHT, MATERIAL } from "./layouts";
@@ -45,14 +46,16 @@ export function emitScene(
     .map(({ normal }, id) => (normal ? `  n = select(n, ${normal}, id == ${id}u);\n` : ""))
     .join("");
 
+  const lightChoice = emitLightChoice(primitives, emitters, features, values);
+
   return `
 import package::box::{boxIntersect, boxNormal, turnedBoxIntersect};
-import package::lights::Light;
+import package::lights::{Light, LightChoice, flatLightShare, lightShare};
 import package::planar::{planeIntersect, planeIntersectX, planeIntersectY, planeIntersectZ, quadIntersect,
   quadIntersectX, quadIntersectY, quadIntersectZ, shearOf, triangleIntersect};
 import package::ray::{Hit, Ray, between, nearer, noHit};
 import package::sphere::{hugeSphereIntersect, sphereIntersect};
-import package::surface::Material;
+import package::surface::{Material, Surface};
 
 struct Scene {
   environment: vec4f,
@@ -91,20 +94,12 @@ fn environment() -> vec3f {
 }
 
 ${emitLookups(primitives, emitters, values)}
-struct LightChoice {
-  index: u32,
-  // The point, stretched back over [0, 1)².
-  u: vec2f,
-}
-
-fn chooseLight(u: vec2f) -> LightChoice {
-${emitChoice(emitters)}}
-`;
+${lightChoice}`;
 }
 
 /**
  * Functions that look values up: `shapeOf(id)`; per field of a material `alphaOf(id)` and so on; per field of a light
- * `lightStart(index)` and so on, and `lightAt(index)`. The linker drops those that the features leave unused.
+ * `lightSize(index)` and so on, and `lightAt(index)`. The linker drops those that the features leave unused.
  */
 function emitLookups(primitives: readonly Primitive[], emitters: readonly Emitter[], values: Values): string {
   const lookup = (name: string, type: RowType, uniform: string, rows: readonly (number | ArrayLike<number>)[]) => {
@@ -209,15 +204,4 @@ function emitPrimitive(shape: Shape, id: number, values: Values): EmittedPrimiti
 function halfEdgeDuals(edge1: Vec3, edge2: Vec3, normal: Vec3): [Vec3, Vec3] {
   const area = length(cross(edge1, edge2));
   return [scale(cross(edge2, normal), 2 / area), scale(cross(normal, edge1), 2 / area)];
-}
-
-function emitChoice(emitters: readonly Emitter[]): string {
-  if (emitters.length <= 1) return "  return LightChoice(0u, u);\n";
-  const steps = emitters.map((_, i) =>
-    i === 0 ? "" : `  index = select(index, ${i}u, u.x >= scene.lights[${i}].start);\n`,
-  );
-  return `  var index = 0u;
-${steps.join("")}  let x = (u.x - lightStart(index)) / lightProbability(index);
-  return LightChoice(index, vec2f(clamp(x, 0.0, 0x1.fffffep-1), u.y));
-`;
 }

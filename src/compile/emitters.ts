@@ -1,6 +1,6 @@
-import type { ResolvedScene, Rgb, Vec3 } from "../scene/schema";
+import type { ResolvedLight, ResolvedScene, Rgb, Vec3 } from "../scene/schema";
 import type { Primitive, Shape } from "./primitives";
-import { cross, length, scale, subtract } from "./vec3";
+import { add, cross, length, scale, subtract } from "./vec3";
 
 /** Kinds of emitter, by their number in `wgsl/lights.wgsl`. */
 export const LIGHT_KINDS = { sphere: 0, quad: 1, triangle: 2, point: 3 } as const;
@@ -19,72 +19,71 @@ export type Emitter = {
   readonly radiance: Rgb;
   /** Index of the primitive that carries the emission; undefined for a point. */
   readonly primitive: number | undefined;
-  /** Probability of being chosen; all emitters together sum to 1. */
-  readonly probability: number;
+  /** Intensity along the normal, or in all directions, summed over the channels. What the choice of a light goes by. */
+  readonly strength: number;
+  /** A ball around all of the primitive's emitters. */
+  readonly bound: { readonly center: Vec3; readonly radius: number };
 };
 
-type Candidate = Omit<Emitter, "probability"> & { readonly power: number };
-
 /**
- * Everything that emits and can be sampled, chosen in proportion to its power, or evenly by the baseline estimator.
- * A box is six quads. Infinite planes emit too, but have no area to sample: their light is found by scattered rays.
+ * Everything that emits and can be sampled. A box is six quads. Infinite planes emit too, but have no area to sample: their
+ * light is found by scattered rays.
  */
-export function emittersOf(
-  scene: ResolvedScene,
-  primitives: readonly Primitive[],
-  origin: Vec3,
-  choice: "power" | "even",
-): Emitter[] {
-  const candidates = [
+export function emittersOf(scene: ResolvedScene, primitives: readonly Primitive[], origin: Vec3): Emitter[] {
+  return [
     ...primitives.flatMap((primitive, index) =>
       isEmissive(primitive) ? surfaceEmitters(primitive.shape, primitive.emission, index) : [],
     ),
-    ...scene.lights.flatMap((light): Candidate[] =>
-      light.type === "point"
-        ? [
-            {
-              ...NO_EDGES,
-              kind: "point",
-              position: subtract(light.position, origin),
-              size: 0,
-              radiance: scale(light.power, 1 / (4 * Math.PI)),
-              primitive: undefined,
-              power: sum(light.power),
-            },
-          ]
-        : [],
-    ),
+    ...scene.lights.flatMap((light) => (light.type === "point" ? [pointEmitter(light, origin)] : [])),
   ];
-  const total = candidates.reduce((power, candidate) => power + candidate.power, 0);
-  return candidates.map(({ power, ...emitter }) => ({
-    ...emitter,
-    probability: choice === "power" && total > 0 ? power / total : 1 / candidates.length,
-  }));
+}
+
+function pointEmitter(light: ResolvedLight & { type: "point" }, origin: Vec3): Emitter {
+  const position = subtract(light.position, origin);
+  const radiance = scale(light.power, 1 / (4 * Math.PI));
+  const bound = { center: position, radius: 0 };
+  return {
+    ...NO_EDGES,
+    kind: "point",
+    position,
+    size: 0,
+    radiance,
+    primitive: undefined,
+    strength: sum(radiance),
+    bound,
+  };
 }
 
 /** Lights are emitters even at power 0, so that turning one down does not change the program. */
-function isEmissive(primitive: Primitive): boolean {
+export function isEmissive(primitive: Primitive): boolean {
   return primitive.material === "black" || sum(primitive.emission) > 0;
 }
 
 const NO_EDGES = { edge1: [0, 0, 0], edge2: [0, 0, 0] } as const;
 
-function surfaceEmitters(shape: Shape, radiance: Rgb, primitive: number): Candidate[] {
+function surfaceEmitters(shape: Shape, radiance: Rgb, primitive: number): Emitter[] {
   switch (shape.kind) {
     case "sphere": {
       const { center: position, radius: size } = shape;
-      const power = sum(radiance) * 4 * Math.PI ** 2 * size ** 2;
-      return [{ ...NO_EDGES, kind: "sphere", position, size, radiance, primitive, power }];
+      const strength = sum(radiance) * Math.PI * size ** 2;
+      const bound = { center: position, radius: size };
+      return [{ ...NO_EDGES, kind: "sphere", position, size, radiance, primitive, strength, bound }];
     }
-    case "quad":
-      return [flat("quad", shape.corner, shape.edge1, shape.edge2, radiance, primitive)];
+    case "quad": {
+      const { corner, edge1, edge2 } = shape;
+      const bound = ballAround([corner, add(corner, edge1), add(corner, edge2), add(add(corner, edge1), edge2)]);
+      return [flat("quad", corner, edge1, edge2, radiance, primitive, bound)];
+    }
     case "triangle": {
       const [a, b, c] = shape.vertices;
-      const emitter = flat("triangle", a, subtract(b, a), subtract(c, a), radiance, primitive);
+      const bound = ballAround(shape.vertices);
+      const emitter = flat("triangle", a, subtract(b, a), subtract(c, a), radiance, primitive, bound);
       return emitter.size > 0 ? [emitter] : [];
     }
-    case "box":
-      return boxFaces(shape).map(([corner, edge1, edge2]) => flat("quad", corner, edge1, edge2, radiance, primitive));
+    case "box": {
+      const bound = { center: shape.center, radius: length(shape.halfSize) };
+      return boxFaces(shape).map((face) => flat("quad", ...face, radiance, primitive, bound));
+    }
     case "plane":
       return [];
   }
@@ -97,9 +96,10 @@ function flat(
   edge2: Vec3,
   radiance: Rgb,
   primitive: number,
-): Candidate {
+  bound: Emitter["bound"],
+): Emitter {
   const size = length(cross(edge1, edge2)) * (kind === "quad" ? 1 : 0.5);
-  return { kind, position, size, edge1, edge2, radiance, primitive, power: sum(radiance) * Math.PI * size };
+  return { kind, position, size, edge1, edge2, radiance, primitive, strength: sum(radiance) * size, bound };
 }
 
 /** Corner and edges of each face, with edge1 × edge2 pointing out. */
@@ -112,6 +112,15 @@ function boxFaces({ center, halfSize, turn = 0 }: Shape & { kind: "box" }): [Vec
     const [e1, e2] = [scale(u, 2), scale(v, 2)];
     return [[corner(1), e1, e2] as [Vec3, Vec3, Vec3], [corner(-1), e2, e1] as [Vec3, Vec3, Vec3]];
   });
+}
+
+/** The ball around the mean of some points that holds them all. */
+function ballAround(points: readonly Vec3[]): Emitter["bound"] {
+  const center = scale(
+    points.reduce((total, point) => add(total, point)),
+    1 / points.length,
+  );
+  return { center, radius: Math.max(...points.map((point) => length(subtract(point, center)))) };
 }
 
 function sum(rgb: Rgb): number {

@@ -41,20 +41,31 @@ export function deriveFeatures(
     SMITH: rough.some((material) => material.masking === "smith"),
     SCHLICK_BECKMANN: rough.some((material) => material.masking === "schlick-beckmann"),
     MULTISCATTER: rough.some((material) => material.multiscatter && material.metallic > 0),
-    LOBES: DIFFUSE && SPECULAR,
+    // Some surface has both.
+    LOBES: specular.some((material) => material.metallic < 1),
     EMISSION: primitives.some(emits),
     SPHERE_EMITTERS: primitives.some((primitive) => primitive.shape.kind === "sphere" && emits(primitive)),
+    LAMPS: primitives.some(emits) && settings.estimator === "path",
     LIGHTS: emitters.length > 0,
     SPHERE_LIGHTS: hasLight("sphere"),
     QUAD_LIGHTS: hasLight("quad"),
     TRIANGLE_LIGHTS: hasLight("triangle"),
     POINT_LIGHTS: hasLight("point"),
+    MANY_LIGHTS: emitters.length > 1 && settings.estimator === "path",
+    // Of those, some shine to one side only.
+    FLAT_LIGHTS: emitters.some((emitter) => isFlat(emitter, primitives)),
     ONE_LIGHT_KIND: new Set(emitters.map((emitter) => emitter.kind)).size === 1,
     ENVIRONMENT: hasEnvironment,
     SOBOL: settings.sampler === "sobol",
     UNIFORM: settings.estimator === "uniform",
     MANY_LIGHT_SAMPLES: settings.lightSamples > 1,
   };
+}
+
+/** Whether an emitter is a flat primitive, not a face of a box. */
+export function isFlat({ primitive }: Emitter, primitives: readonly Primitive[]): boolean {
+  const kind = primitive === undefined ? undefined : primitives[primitive]!.shape.kind;
+  return kind === "quad" || kind === "triangle";
 }
 
 /** Spheres that are better measured from their surface than from their centre. */

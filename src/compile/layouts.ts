@@ -22,8 +22,6 @@ export const LIGHT = defineStruct({
   edge2: "vec3f",
   id: "u32",
   radiance: "vec3f",
-  start: "f32",
-  probability: "f32",
 });
 
 /** What changes from dispatch to dispatch: `FrameUniforms` in `wgsl/uniforms.wgsl`. */
@@ -42,6 +40,8 @@ export const FRAME = defineStruct({
   maxBounces: "u32",
   lightSamples: "u32",
   near: "f32",
+  lampsFrom: "vec2u",
+  lampsTo: "vec2u",
 });
 
 /** How the film is shown: `View` in `wgsl/blit.wgsl`. */

@@ -39,11 +39,15 @@ export function materialRows(primitives: readonly Primitive[], emitters: readonl
 }
 
 function materialRow({ shape, material, emission }: Primitive, id: number, emitters: readonly Emitter[]) {
+  return { ...reflectance(material), emission, lightDensity: lightDensity(shape, id, emitters) };
+}
+
+/** See `Material` in `wgsl/surface.wgsl`. */
+function lightDensity(shape: Shape, id: number, emitters: readonly Emitter[]): number {
   const own = emitters.filter((emitter) => emitter.primitive === id);
-  const probability = own.reduce((sum, emitter) => sum + emitter.probability, 0);
-  const area = own.reduce((sum, emitter) => sum + emitter.size, 0);
-  const lightDensity = own.length === 0 ? 0 : shape.kind === "sphere" ? probability : probability / area;
-  return { ...reflectance(material), emission, lightDensity };
+  if (own.length === 0) return 0;
+  const weight = emitters.length > 1 ? own.reduce((sum, { strength }) => sum + strength, 0) : 1;
+  return shape.kind === "sphere" ? weight : weight / own.reduce((sum, { size }) => sum + size, 0);
 }
 
 function reflectance(material: ResolvedMaterial | "black") {
@@ -123,12 +127,11 @@ function anchorRow(shape: Shape): number[] {
 
 /** The emitters, as the shader's table wants them. */
 export function lightRows(emitters: readonly Emitter[]) {
-  let start = 0;
-  return emitters.map((emitter) => {
-    const row = { ...emitter, kind: LIGHT_KINDS[emitter.kind], id: emitter.primitive ?? NO_PRIMITIVE, start };
-    start += emitter.probability;
-    return row;
-  });
+  return emitters.map((emitter) => ({
+    ...emitter,
+    kind: LIGHT_KINDS[emitter.kind],
+    id: emitter.primitive ?? NO_PRIMITIVE,
+  }));
 }
 
 function rows<F extends StructFields>(layout: StructLayout<F>, values: readonly StructValue<F>[]): ArrayBuffer {

@@ -1,6 +1,6 @@
 import { UnsupportedError } from "../errors";
 import type { ResolvedLight, ResolvedMaterial, ResolvedObject, ResolvedScene, Rgb, Vec3 } from "../scene/schema";
-import { cross, length, normalize, scale, subtract } from "./vec3";
+import { cross, dot, length, normalize, scale, subtract } from "./vec3";
 
 export type Axis = "X" | "Y" | "Z";
 
@@ -114,10 +114,6 @@ function shapeOf(object: ResolvedObject, origin: Vec3, reach: number): Shape {
 export function hasArea([a, b, c]: readonly [Vec3, Vec3, Vec3]): boolean {
   const [edge1, edge2, edge3] = [subtract(b, a), subtract(c, a), subtract(c, b)];
   return length(cross(edge1, edge2)) > 1e-12 * Math.max(...[edge1, edge2, edge3].map((edge) => dot(edge, edge)));
-}
-
-function dot(a: Vec3, b: Vec3): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 function axisOf(direction: Vec3): Axis | undefined {

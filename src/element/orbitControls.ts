@@ -1,11 +1,12 @@
 import type { ResolvedCamera } from "../scene/schema";
-import { type DistanceLimits, orbitBy, panBy, zoomBy } from "./orbit";
+import { type DistanceLimits, distanceLimitsFor, orbitBy, panBy, zoomBy } from "./orbit";
 
 /** What the controls move. */
 export type OrbitTarget = {
   /** The camera now, or `undefined` while there is none. */
   readonly camera: () => ResolvedCamera | undefined;
-  readonly limits: () => DistanceLimits;
+  /** Where the scene's author put it, which says what distances make sense. */
+  readonly home: () => ResolvedCamera | undefined;
   readonly onChange: (camera: ResolvedCamera) => void;
 };
 
@@ -35,6 +36,11 @@ export function bindOrbitControls(surface: HTMLElement, target: OrbitTarget, sig
   bindPointers(surface, target, move, signal);
   bindWheel(surface, target, move, signal);
   surface.addEventListener("keydown", (event) => onKey(event, target, move), { signal });
+}
+
+function limitsOf({ home }: OrbitTarget): DistanceLimits | undefined {
+  const camera = home();
+  return camera && distanceLimitsFor(camera);
 }
 
 type Move = (step: (camera: ResolvedCamera) => ResolvedCamera) => void;
@@ -82,7 +88,7 @@ function dragTwo(before: readonly Point[], after: readonly Point[], height: numb
   const factor = spreadOf(before) / spreadOf(after);
   move((camera) => {
     const panned = panBy(camera, (to.x - from.x) / height, -(to.y - from.y) / height);
-    return zoomBy(panned, factor, target.limits());
+    return zoomBy(panned, factor, limitsOf(target));
   });
 }
 
@@ -113,7 +119,7 @@ function bindWheel(surface: HTMLElement, target: OrbitTarget, move: Move, signal
       if (!isAimed && !surface.matches(":focus")) return;
       event.preventDefault();
       const factor = wheelZoom(event.deltaY, event.deltaMode === WheelEvent.DOM_DELTA_LINE, event.ctrlKey);
-      move((camera) => zoomBy(camera, factor, target.limits()));
+      move((camera) => zoomBy(camera, factor, limitsOf(target)));
     },
     { signal, passive: false },
   );
@@ -137,9 +143,9 @@ function onKey(event: KeyboardEvent, target: OrbitTarget, move: Move): void {
     if (event.shiftKey) move((camera) => panBy(camera, -x / 20, -y / 20));
     else move((camera) => orbitBy(camera, x * KEY_STEP_RADIANS, y * KEY_STEP_RADIANS));
   } else if (event.key === "+" || event.key === "=") {
-    move((camera) => zoomBy(camera, 1 / KEY_ZOOM, target.limits()));
+    move((camera) => zoomBy(camera, 1 / KEY_ZOOM, limitsOf(target)));
   } else if (event.key === "-" || event.key === "_") {
-    move((camera) => zoomBy(camera, KEY_ZOOM, target.limits()));
+    move((camera) => zoomBy(camera, KEY_ZOOM, limitsOf(target)));
   } else {
     return;
   }

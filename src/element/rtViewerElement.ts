@@ -9,8 +9,6 @@ import { describeError, missingWebGpu } from "./describeError";
 import type { RtViewerEventMap } from "./events";
 import { fetchScene } from "./fetchScene";
 import { MessageBox } from "./messageBox";
-import { DEFAULT_DISTANCE_LIMITS, type DistanceLimits, distanceLimitsFor } from "./orbit";
-import { bindOrbitControls } from "./orbitControls";
 import { PanelHost } from "./panelHost";
 import { ReflectedElement } from "./reflectedElement";
 import { RenderLoop } from "./renderLoop";
@@ -43,7 +41,6 @@ export class RtViewerElement extends ReflectedElement {
   #scene: Scene | undefined;
   /** The scene or URL that was asked for last; `undefined` when there is none, or the GPU has been given back. */
   #requested: Scene | string | undefined;
-  #distanceLimits: DistanceLimits = DEFAULT_DISTANCE_LIMITS;
   #isVisible = false;
   /** Ends the listeners and observers of the time the element is in a document. */
   #connection: AbortController | undefined;
@@ -61,7 +58,7 @@ export class RtViewerElement extends ReflectedElement {
     this.#panel = new PanelHost(this.ownerDocument);
     root.append(this.#canvas, this.#panel.element, this.#message.element);
     this.#stage = new Stage(this.#canvas, {
-      onScene: (tracer) => this.#onScene(tracer),
+      onScene: () => this.#onScene(),
       onReady: (detail) => this.#emit("ready", detail),
       onProgress: (detail) => this.#emit("progress", detail),
       onConverged: (detail) => this.#emit("converged", detail),
@@ -86,7 +83,13 @@ export class RtViewerElement extends ReflectedElement {
     this.#stage.moveCamera(changes);
   }
 
-  /** What does the work; `undefined` until the scene is compiled, and after the element has left the document. */
+  /**
+   * What does the work; `undefined` until the scene is compiled, and after the element has left the document.
+   *
+   * The element sets its size: the canvas's, or a smaller one of the same proportions while the camera, the scene or the
+   * canvas changes from frame to frame and the adapter can't do a sample of every pixel in a frame. It sets its
+   * `samplesPerFrame` likewise.
+   */
   get tracer(): PathTracer | undefined {
     return this.#stage.tracer;
   }
@@ -169,9 +172,8 @@ export class RtViewerElement extends ReflectedElement {
     );
   }
 
-  #onScene(tracer: PathTracer): void {
+  #onScene(): void {
     this.#message.clear();
-    this.#distanceLimits = distanceLimitsFor(tracer.scene.camera);
     this.#showPanel();
     this.#updateLoop();
   }
@@ -218,12 +220,18 @@ export class RtViewerElement extends ReflectedElement {
     this.#canvas.tabIndex = 0;
     if (this.#connection === undefined) return;
     this.#controls = new AbortController();
+    this.#loadControls(this.#controls.signal).catch((error: Error) => this.#emit("error", { error }));
+  }
+
+  async #loadControls(signal: AbortSignal): Promise<void> {
+    const { bindOrbitControls } = await import("./orbitControls");
+    if (signal.aborted) return;
     const target = {
       camera: () => this.camera,
-      limits: () => this.#distanceLimits,
+      home: () => this.tracer?.scene.camera,
       onChange: (camera: ResolvedCamera) => this.#stage.moveCamera(camera),
     };
-    bindOrbitControls(this.#canvas, target, this.#controls.signal);
+    bindOrbitControls(this.#canvas, target, signal);
   }
 
   #showPanel(): void {

@@ -2,14 +2,32 @@ import type { StructValue } from "../compile/defineStruct";
 import { FRAME } from "../compile/layouts";
 import type { Film } from "./film";
 import { BufferUsage, ShaderStage } from "./flags";
+import { createComputePipeline } from "./pipelines";
 
 /** One dispatch's camera, tile, samples and settings. */
 export type FrameUniforms = StructValue<typeof FRAME.fields>;
 
-const WORKGROUP = 8; // @workgroup_size of trace()
+const WORKGROUP = 8; // @workgroup_size of trace() and traceLamps()
 
-/** Bindings of the trace pass: frame, scene, film, counters, carries. Not every program reads the scene uniform. */
-export function createTraceLayout(device: GPUDevice): GPUPipelineLayout {
+/** The entry points of a tracer; `lamps` where the scene has any. */
+export type TracePipelines = { readonly trace: GPUComputePipeline; readonly lamps: GPUComputePipeline | undefined };
+
+/** @throws {WebGpuError} with the compiler's messages. */
+export async function createTracePipelines(
+  device: GPUDevice,
+  wgsl: string,
+  hasLamps: boolean,
+): Promise<TracePipelines> {
+  const layout = createTraceLayout(device);
+  const [trace, lamps] = await Promise.all([
+    createComputePipeline(device, "trace", wgsl, "trace", layout),
+    hasLamps ? createComputePipeline(device, "lamps", wgsl, "traceLamps", layout) : undefined,
+  ]);
+  return { trace, lamps };
+}
+
+/** Bindings: frame, scene, film, counters, carries. Not every program reads the scene uniform. */
+function createTraceLayout(device: GPUDevice): GPUPipelineLayout {
   const types = ["uniform", "uniform", "storage", "storage", "storage"] as const;
   const group = device.createBindGroupLayout({
     label: "trace",
@@ -21,22 +39,22 @@ export function createTraceLayout(device: GPUDevice): GPUPipelineLayout {
 /** The compute pass that traces paths, for one compiled program, scene and film. */
 export class TracePass {
   readonly #device: GPUDevice;
-  readonly #pipeline: GPUComputePipeline;
+  readonly #pipelines: TracePipelines;
   readonly #frame: GPUBuffer;
   readonly #scene: GPUBuffer;
   readonly #bindGroup: GPUBindGroup;
   readonly #frameBytes = new DataView(new ArrayBuffer(FRAME.bytes));
 
-  constructor(device: GPUDevice, pipeline: GPUComputePipeline, scene: ArrayBuffer, film: Film) {
+  constructor(device: GPUDevice, pipelines: TracePipelines, scene: ArrayBuffer, film: Film) {
     this.#device = device;
-    this.#pipeline = pipeline;
+    this.#pipelines = pipelines;
     const usage = BufferUsage.UNIFORM | BufferUsage.COPY_DST;
     this.#frame = device.createBuffer({ label: "frame uniforms", size: FRAME.bytes, usage });
     this.#scene = device.createBuffer({ label: "scene", size: scene.byteLength, usage });
     this.writeScene(scene);
     this.#bindGroup = device.createBindGroup({
       label: "trace",
-      layout: pipeline.getBindGroupLayout(0),
+      layout: pipelines.trace.getBindGroupLayout(0),
       entries: [this.#frame, this.#scene, film.sums, film.counters, film.carries].map((buffer, binding) => ({
         binding,
         resource: { buffer },
@@ -54,10 +72,11 @@ export class TracePass {
     FRAME.write(this.#frameBytes, 0, frame);
     this.#device.queue.writeBuffer(this.#frame, 0, this.#frameBytes.buffer);
     const pass = encoder.beginComputePass({ label: "trace", ...(timestampWrites && { timestampWrites }) });
-    pass.setPipeline(this.#pipeline);
     pass.setBindGroup(0, this.#bindGroup);
-    const rows = frame.endRow - frame.firstRow;
-    pass.dispatchWorkgroups(Math.ceil(frame.size[0]! / WORKGROUP), Math.ceil(rows / WORKGROUP));
+    dispatch(pass, this.#pipelines.trace, frame.size[0]!, frame.endRow - frame.firstRow);
+    const { lampsFrom: from, lampsTo: to } = frame;
+    const lampRows = Math.min(to[1]!, frame.endRow) - Math.max(from[1]!, frame.firstRow);
+    if (this.#pipelines.lamps && lampRows > 0) dispatch(pass, this.#pipelines.lamps, to[0]! - from[0]!, lampRows);
     pass.end();
   }
 
@@ -65,4 +84,10 @@ export class TracePass {
     this.#frame.destroy();
     this.#scene.destroy();
   }
+}
+
+/** One invocation for each of `width · rows` pixels. */
+function dispatch(pass: GPUComputePassEncoder, pipeline: GPUComputePipeline, width: number, rows: number): void {
+  pass.setPipeline(pipeline);
+  pass.dispatchWorkgroups(Math.ceil(width / WORKGROUP), Math.ceil(rows / WORKGROUP));
 }

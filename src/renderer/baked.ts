@@ -67,6 +67,6 @@ export class Baked {
   #use(program: Program, scene: CompiledScene, film: Film): void {
     this.#trace?.dispose();
     this.#film = film;
-    this.#trace = new TracePass(this.#device, program.pipeline, scene.uniform, film);
+    this.#trace = new TracePass(this.#device, program.pipelines, scene.uniform, film);
   }
 }

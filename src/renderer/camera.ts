@@ -1,6 +1,7 @@
-import { vec3d } from "wgpu-matrix";
 import { clearDepth } from "../compile/clearDepth";
+import { lampWindow, shareOf } from "../compile/lampWindow";
 import type { Shape } from "../compile/primitives";
+import { add, cross, normalize, scale, subtract } from "../compile/vec3";
 import type { ResolvedCamera, Vec3 } from "../scene/schema";
 
 /** A pinhole camera as the shader wants it: the ray through image plane coordinates (x, y) runs along forward + x·right + y·up. */
@@ -18,23 +19,36 @@ export type CameraBasis = {
 /** Computed in doubles; `origin` is the compiled scene's, `aspect` width over height. */
 export function cameraBasis(camera: ResolvedCamera, origin: Vec3, aspect: number): CameraBasis {
   const { position, target, up, verticalFov } = camera;
-  const forward = vec3d.normalize(vec3d.subtract(target, position));
-  const right = vec3d.normalize(vec3d.cross(forward, up));
+  const forward = normalize(subtract(target, position));
+  const right = normalize(cross(forward, up));
   const halfHeight = Math.tan((verticalFov * Math.PI) / 360);
   return {
-    origin: triple(vec3d.subtract(position, origin)),
-    forward: triple(forward),
-    right: triple(vec3d.scale(right, halfHeight * aspect)),
-    up: triple(vec3d.scale(vec3d.cross(right, forward), halfHeight)),
+    origin: subtract(position, origin),
+    forward,
+    right: scale(right, halfHeight * aspect),
+    up: scale(cross(right, forward), halfHeight),
   };
 }
 
 /** Where camera rays start: on the plane at distance `near`, whose centre is `origin`, clear of all shapes. */
 export function rayStart(basis: CameraBasis, shapes: readonly Shape[]): CameraBasis & { readonly near: number } {
   const near = clearDepth(shapes, basis);
-  return { ...basis, origin: triple(vec3d.addScaled(basis.origin, basis.forward, near)), near };
+  return { ...basis, origin: add(basis.origin, scale(basis.forward, near)), near };
 }
 
-function triple(v: ArrayLike<number>): Vec3 {
-  return [v[0]!, v[1]!, v[2]!];
+// A lamp that fills more of the picture than this has too few edges in it to pay for looking at all of it more often.
+const MAX_LAMP_SHARE = 0.25;
+
+/** The pixels, from the first to before the second, in which lamps are looked for by rays of their own. */
+export function lampPixels(lamps: readonly Shape[], basis: CameraBasis, width: number, height: number) {
+  const window = lampWindow(lamps, basis);
+  const share = shareOf(window);
+  if (share === 0 || share > MAX_LAMP_SHARE) return { lampsFrom: [0, 0], lampsTo: [0, 0] };
+  const [left, bottom, right, top] = window;
+  const column = (x: number) => ((x + 1) / 2) * width;
+  const row = (y: number) => ((1 - y) / 2) * height;
+  return {
+    lampsFrom: [Math.floor(column(left)), Math.floor(row(top))],
+    lampsTo: [Math.ceil(column(right)), Math.ceil(row(bottom))],
+  };
 }

@@ -6,6 +6,17 @@ import { Rate } from "./rates";
 import type { Settings } from "./settings";
 import type { Stats } from "./stats";
 
+// Share of a slice's time by which one may be early to ask whether it is done.
+const EARLY = 0.1;
+
+/** A slice under way. Times as of `performance.now()`. */
+export type Submit = {
+  readonly at: number;
+  /** When to begin asking whether it is done, and when it should be. */
+  readonly wakeAt: number;
+  readonly doneAt: number;
+};
+
 /** Keeps the stats up to date, from what the device reports. */
 export class Meter {
   readonly stats: Stats;
@@ -15,8 +26,9 @@ export class Meter {
   readonly #pathRate = new Rate();
   readonly #rayRate = new Rate();
   #presentedAt: number | undefined;
-  /** When the device was last known to finish a submit. */
+  /** When the device was last known to finish a submit, and when it should finish all there are. */
   #finishedAt = 0;
+  #freeAt = 0;
 
   constructor(adapter: string) {
     this.stats = {
@@ -63,25 +75,40 @@ export class Meter {
     this.stats.frameMs = this.stats.fps > 0 ? 1000 / this.stats.fps : 0;
   }
 
-  /** Milliseconds since the device could begin a submit of `submittedAt`: it does one at a time, in order. */
-  finishSubmit(submittedAt: number): number {
-    const startedAt = Math.max(submittedAt, this.#finishedAt);
+  /** A slice is submitted. The device does one at a time, in order. */
+  submit(slice: Slice, width: number): Submit {
+    const at = performance.now();
+    const ms = this.pace.predictMs(slice, width);
+    const doneAt = Math.max(at, this.#freeAt) + ms;
+    this.#freeAt = doneAt;
+    return { at, wakeAt: doneAt - EARLY * ms, doneAt };
+  }
+
+  /** It is done. Returns the milliseconds since the device could begin with it. */
+  finish({ at, doneAt }: Submit): number {
+    const startedAt = Math.max(at, this.#finishedAt);
     this.#finishedAt = performance.now();
+    this.#freeAt += this.#finishedAt - doneAt;
     return this.#finishedAt - startedAt;
   }
 
-  /** Takes note of a finished slice, after which every pixel held `samples`. */
-  observe(slice: Slice, width: number, samples: number, report: Report, wallMs: number): void {
+  /** Takes note of how fast the device did a slice of a film of this width. */
+  observe(slice: Slice, width: number, { gpuMs, rays }: Report, wallMs: number): void {
     const { stats } = this;
-    const ms = report.gpuMs ?? wallMs;
+    const ms = gpuMs ?? wallMs;
     this.pace.observe(slice, width, ms);
     this.#pathRate.observe(pathsOf(slice, width), ms / 1000);
-    this.#rayRate.observe(report.rays, ms / 1000);
+    this.#rayRate.observe(rays, ms / 1000);
     stats.gpuMs = ms;
     stats.pathsPerSecond = this.#pathRate.perSecond;
     stats.raysPerSecond = this.#rayRate.perSecond;
+  }
+
+  /** Takes note of what a finished slice added to the film, after which every pixel held `samples`. */
+  count(samples: number, { badSamples, errorSums }: Report): void {
+    const { stats } = this;
     stats.samples = samples;
-    stats.badSamples += report.badSamples;
-    if (report.errorSums) stats.error = relativeError(report.errorSums);
+    stats.badSamples += badSamples;
+    if (errorSums) stats.error = relativeError(errorSums);
   }
 }

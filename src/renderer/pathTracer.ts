@@ -10,7 +10,7 @@ import { type FrameUniforms, TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
 import { Baked } from "./baked";
-import { cameraBasis, rayStart } from "./camera";
+import { cameraBasis, lampPixels, rayStart } from "./camera";
 import { Display, readPicture, type View } from "./display";
 import { Meter } from "./meter";
 import { createProgram, type Program, programKey } from "./program";
@@ -37,7 +37,7 @@ type Shown = { readonly scene: ResolvedScene; readonly camera: ResolvedCamera };
 const FRAME_BUDGET_MS = 12;
 const BATCH_BUDGET_MS = 100;
 // Samples per pixel in one dispatch, while nobody watches. More than this gains little.
-const BATCH_SAMPLES = 16;
+const BATCH_SAMPLES = 32;
 // Submits under way at once: with a second one waiting, the device does not idle until the next animation frame.
 const MAX_IN_FLIGHT = 2;
 // A scene that has not changed for this long, in milliseconds, or is to take this many samples at once, is worth compiling
@@ -139,7 +139,7 @@ export class PathTracer {
     this.#film = new Film(device, width, height);
     this.#progress = new Progress(height);
     this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
-    this.#trace = new TracePass(device, program.pipeline, compiled.uniform, this.#film);
+    this.#trace = new TracePass(device, program.pipelines, compiled.uniform, this.#film);
     this.#shared = this.#sharedUniforms();
     device.addEventListener("uncapturederror", this.#onDeviceError);
     this.#baked = new Baked(device);
@@ -205,7 +205,7 @@ export class PathTracer {
     this.#trace.dispose();
     this.#film = new Film(this.device, width, height);
     this.#errorPass = new ErrorPass(this.device, this.#errorPipeline, this.#film);
-    this.#trace = new TracePass(this.device, this.#program.pipeline, this.#compiled.uniform, this.#film);
+    this.#trace = new TracePass(this.device, this.#program.pipelines, this.#compiled.uniform, this.#film);
     this.#restart();
   }
 
@@ -238,10 +238,13 @@ export class PathTracer {
     if (count >= BAKE_SAMPLES) await this.compile();
     for (let taken = 0; taken < count && !this.stats.converged && !this.#disposed; ) {
       const wanted = Math.min(count - taken, this.#settings.maxSamples - this.#progress.samples);
+      if (wanted <= 0) break;
       const before = this.#progress.samples;
-      await this.#work(BATCH_BUDGET_MS, BATCH_SAMPLES, wanted, true);
+      this.#work(BATCH_BUDGET_MS, BATCH_SAMPLES, wanted, true).catch(this.#fail);
       taken += Math.max(this.#progress.samples - before, 0);
+      if (this.#working.size === MAX_IN_FLIGHT) await Promise.race(this.#working.values());
     }
+    await Promise.all(this.#working.values());
     if (this.#failure !== undefined) throw this.#failure;
   }
 
@@ -293,9 +296,8 @@ export class PathTracer {
    * @returns whether it drew.
    */
   present(context: GPUCanvasContext, view: View = {}): boolean {
-    if (this.#disposed) return false;
+    if (this.#disposed || this.#progress.samples === 0) return false;
     this.#meter.countFrame();
-    if (this.#progress.samples === 0) return false;
     if (!(this.#display instanceof Display)) {
       this.#display ??= this.#createDisplay(context.getConfiguration()!.format);
       return false;
@@ -337,7 +339,7 @@ export class PathTracer {
       this.#compiling = undefined;
       this.#program = program;
       this.#trace.dispose();
-      this.#trace = new TracePass(this.device, program.pipeline, compiled.uniform, this.#film);
+      this.#trace = new TracePass(this.device, program.pipelines, compiled.uniform, this.#film);
       this.#show(this.#pending ?? next, compiled);
       this.#restart();
     });
@@ -381,9 +383,10 @@ export class PathTracer {
    */
   #work(budgetMs: number, maxCount: number, remaining: number, patient: boolean): Promise<void> {
     const readback = this.#readbacks.find((candidate) => !this.#working.has(candidate))!;
+    const { width } = this;
     const progress = this.#progress;
     const samplesBefore = progress.samples;
-    const slice = progress.next(this.#meter.pace.rowsFor(budgetMs, this.width, maxCount), maxCount, remaining);
+    const slice = progress.next(this.#meter.pace.rowsFor(budgetMs, width, maxCount), maxCount, remaining);
     progress.finish(slice);
     const now = performance.now();
     const samples = progress.samples;
@@ -400,14 +403,16 @@ export class PathTracer {
     readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
     this.device.queue.submit([encoder.finish()]);
 
+    const submit = this.#meter.submit(slice, width);
     const report = async () => {
       // Dawn in Node spins while a promise is pending, which takes a core from a software adapter: sleep first.
-      if (patient) await sleep(0.9 * this.#meter.pace.predictMs(slice, this.width));
+      if (patient) await sleep(submit.wakeAt - submit.at);
       if (this.#disposed) return;
       const values = await readback.read(wantsError);
-      const wallMs = this.#meter.finishSubmit(now);
-      if (progress !== this.#progress) return;
-      this.#meter.observe(slice, this.width, samples, values, wallMs);
+      const wallMs = this.#meter.finish(submit);
+      this.#meter.observe(slice, width, values, wallMs);
+      if (progress !== this.#progress) return; // what it added is gone
+      this.#meter.count(samples, values);
       this.#meter.updateConverged(this.#settings);
     };
     const working = report()
@@ -425,8 +430,10 @@ export class PathTracer {
   #sharedUniforms(): SharedUniforms {
     const { width, height } = this;
     const { seed, lightSamples, maxBounces = this.#scene.maxBounces } = this.#settings;
-    const view = rayStart(cameraBasis(this.#camera, this.#compiled.origin, width / height), this.#compiled.shapes);
-    return { ...view, size: [width, height], seed, maxBounces, lightSamples };
+    const basis = cameraBasis(this.#camera, this.#compiled.origin, width / height);
+    const view = rayStart(basis, this.#compiled.shapes);
+    const lamps = lampPixels(this.#compiled.lamps, basis, width, height);
+    return { ...view, ...lamps, size: [width, height], seed, maxBounces, lightSamples };
   }
 }
 

@@ -1,7 +1,6 @@
 import type { CompiledScene } from "../compile/compileScene";
 import { linkProgram } from "../compile/linkProgram";
-import { createComputePipeline } from "../gpu/pipelines";
-import { createTraceLayout } from "../gpu/tracePass";
+import { createTracePipelines, type TracePipelines } from "../gpu/tracePass";
 
 /** A compiled tracer for every scene that needs the same features in the same places. */
 export type Program = {
@@ -9,7 +8,7 @@ export type Program = {
   /** What it contains, in words. */
   readonly features: readonly string[];
   readonly compileSeconds: number;
-  readonly pipeline: GPUComputePipeline;
+  readonly pipelines: TracePipelines;
   /** Programs with equal keys are interchangeable. */
   readonly key: string;
 };
@@ -23,7 +22,7 @@ export function programKey({ sceneModule, features }: CompiledScene): string {
 export async function createProgram(device: GPUDevice, compiled: CompiledScene): Promise<Program> {
   const start = performance.now();
   const wgsl = await linkProgram(compiled.sceneModule, compiled.features);
-  const pipeline = await createComputePipeline(device, "trace", wgsl, "trace", createTraceLayout(device));
+  const pipelines = await createTracePipelines(device, wgsl, compiled.features.LAMPS);
   const compileSeconds = (performance.now() - start) / 1000;
-  return { wgsl, features: compiled.description, compileSeconds, pipeline, key: programKey(compiled) };
+  return { wgsl, features: compiled.description, compileSeconds, pipelines, key: programKey(compiled) };
 }

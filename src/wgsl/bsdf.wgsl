@@ -80,6 +80,21 @@ fn bsdfEval(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> vec4f {
   }
 }
 
+// About the mean of f·cos over a ball of light around wi of radius `size` at distance 1: to choose lights by. 0 only where all
+// of the ball is below the surface.
+@if(MANY_LIGHTS)
+fn bsdfExpect(bsdf: Bsdf, wo: vec3f, wi: vec3f, size: f32) -> f32 {
+  let cosI = saturate(wi.z + size);
+  @if(!ROUGH) return cosI;
+  @if(ROUGH) {
+    // Microfacets turn by half the angle: the light widens their distribution. The least width keeps weights finite.
+    let alpha = sqrt(max(bsdf.alpha * bsdf.alpha + 0.25 * size * size, 1e-6));
+    let D = ggxD(normalize(wo + wi), alpha);
+    let glossy = D * ggxVisibility(max(wo.z, LEAST_COSINE), cosI, alpha);
+    return cosI * (luminance(bsdf.diffuse) * INV_PI + luminance(bsdf.F0) * glossy);
+  }
+}
+
 // D·G·cosI / (4·cosO·cosI) and the density of the lobe.
 @if(ROUGH)
 fn glossyEval(bsdf: Bsdf, wo: vec3f, wi: vec3f, wm: vec3f) -> vec2f {

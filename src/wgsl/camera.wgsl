@@ -1,13 +1,11 @@
 import package::constants::NONE;
-import package::dimensions::PIXEL;
 import package::ray::{Ray, makeRay};
-import package::sampler::{Sampler, point};
 import package::uniforms::frame;
 
-// A ray through a uniform point of the pixel. Pixel (0, 0) is at the top left. It starts where the scene begins, so that
+// A ray through point u in [0, 1)² of the pixel. Pixel (0, 0) is at the top left. It starts where the scene begins, so that
 // distances, and with them the digits of what it hits, are the scene's own, however far the camera is.
-fn cameraRay(pixel: vec2u, samples: Sampler) -> Ray {
-  let position = (vec2f(pixel) + point(samples, PIXEL)) / vec2f(frame.size) * 2.0 - 1.0;
+fn cameraRay(pixel: vec2u, u: vec2f) -> Ray {
+  let position = (vec2f(pixel) + u) / vec2f(frame.size) * 2.0 - 1.0;
   let offset = position.x * frame.right - position.y * frame.up;
   return makeRay(frame.origin + frame.near * offset, normalize(frame.forward + offset), NONE);
 }

@@ -2,6 +2,8 @@
 // whatever the decisions before it were.
 
 const PIXEL = 0u;
+// Of the rays that look for lamps.
+const LAMP_PIXEL = 0x80000000u;
 const LIGHT = 1u;
 const DIRECTION = 2u;
 // x: lobe, y: roulette.

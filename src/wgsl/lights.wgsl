@@ -3,10 +3,12 @@
 // [1] Shirley, Wang, Zimmerman 1996, "Monte Carlo Techniques for Direct Lighting Calculations", TOG 15(1)
 // [2] Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., section 6.2.4
 // [3] Heitz 2019, "A Low-Distortion Map Between Triangle and Square"
+import package::bsdf::bsdfExpect;
 import package::constants::{NONE, TWO_PI};
 import package::directions::{circle, uniformSphere};
-import package::frame::{frameAround, toWorld};
-import package::scene::{chooseLight, lightAt};
+import package::frame::{frameAround, toLocal, toWorld};
+import package::scene::{chooseLight, lightAt, lightBoundOf, shapeOf};
+import package::surface::Surface;
 
 const SPHERE_LIGHT = 0u;
 const QUAD_LIGHT = 1u;
@@ -26,10 +28,16 @@ struct Light {
   id: u32,
   // Radiance; intensity of a point.
   radiance: vec3f,
-  // Lights before this one are chosen with this probability altogether.
-  start: f32,
-  // Probability of choosing this light.
+}
+
+// Which light to sample.
+struct LightChoice {
+  index: u32,
+  // The point that decided, stretched back over [0, 1)².
+  u: vec2f,
   probability: f32,
+  // Weights of all lights together; 0 when none can reach the point.
+  totalWeight: f32,
 }
 
 struct LightSample {
@@ -41,10 +49,14 @@ struct LightSample {
   // Per steradian, the choice of light included; 0 for a point light, which no ray can hit.
   pdf: f32,
   id: u32,
+  // Of the choice: see LightChoice.
+  totalWeight: f32,
 }
 
-fn sampleLight(p: vec3f, u: vec2f) -> LightSample {
-  let choice = chooseLight(u);
+// A point on a light that may shine on the surface.
+fn sampleLight(surface: Surface, u: vec2f) -> LightSample {
+  let choice = chooseLight(surface, u);
+  let p = surface.p;
   let light = lightAt(choice.index);
   let kind = light.kind;
   var sample: LightSample;
@@ -53,9 +65,10 @@ fn sampleLight(p: vec3f, u: vec2f) -> LightSample {
   @if(QUAD_LIGHTS) if (isKind(kind, QUAD_LIGHT)) { sample = samplePlanar(p, light, choice.u); }
   @if(TRIANGLE_LIGHTS) if (isKind(kind, TRIANGLE_LIGHT)) { sample = samplePlanar(p, light, squareToTriangle(choice.u)); }
   @if(POINT_LIGHTS) if (isKind(kind, POINT_LIGHT)) { sample = samplePoint(p, light.position); }
-  sample.estimate *= light.radiance / light.probability;
-  sample.pdf *= light.probability;
+  sample.estimate *= select(light.radiance / choice.probability, vec3f(0.0), choice.probability == 0.0);
+  sample.pdf *= choice.probability;
   sample.id = light.id;
+  sample.totalWeight = choice.totalWeight;
   return sample;
 }
 
@@ -65,6 +78,37 @@ fn isKind(kind: u32, expected: u32) -> bool {
   @if(!ONE_LIGHT_KIND) return kind == expected;
 }
 
+// What a light of unit strength in the ball `bound` (centre, radius) is expected to add to what the surface sends to the
+// viewer; finite near the ball, and 0 only where nothing in the ball is above the surface.
+@if(MANY_LIGHTS)
+fn lightShare(surface: Surface, bound: vec4f) -> f32 {
+  let toLight = bound.xyz - surface.p;
+  let d2 = max(dot(toLight, toLight), 1e-20);
+  let perDistance = inverseSqrt(d2);
+  let size = bound.w * perDistance;
+  return bsdfExpect(surface.bsdf, surface.wo, toLocal(surface.frame, toLight * perDistance), size) / max(d2, bound.w * bound.w);
+}
+
+// The same for a flat light that shines along `front`.
+@if(MANY_LIGHTS)
+fn flatLightShare(surface: Surface, bound: vec4f, front: vec3f) -> f32 {
+  let toSurface = surface.p - bound.xyz;
+  let height = dot(front, toSurface);
+  let facing = (height + bound.w) / (length(toSurface) + bound.w);
+  return select(0.0, lightShare(surface, bound) * facing, height > 0.0);
+}
+
+// The same for the light on a primitive.
+@if(MANY_LIGHTS)
+fn lightShareOf(id: u32, surface: Surface) -> f32 {
+  let bound = lightBoundOf(id);
+  @if(!FLAT_LIGHTS) return lightShare(surface, bound);
+  @if(FLAT_LIGHTS) {
+    let shape = shapeOf(id);
+    return select(lightShare(surface, bound), flatLightShare(surface, bound, shape.xyz), shape.w == 0.0);
+  }
+}
+
 // Uniform in the cone that the sphere fills. [2]
 // Cones are measured by sin², and 1 − cos by sin²/(1 + cos), so that a tiny cone keeps its digits.
 @if(SPHERE_LIGHTS && !UNIFORM)
@@ -72,7 +116,7 @@ fn sampleSphere(p: vec3f, center: vec3f, radius: f32, u: vec2f) -> LightSample {
   let toCenter = center - p;
   let d2 = dot(toCenter, toCenter);
   let sin2Max = radius * radius / max(d2, 1e-36);
-  if (sin2Max >= 1.0) { return LightSample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0, NONE); }
+  if (sin2Max >= 1.0) { return LightSample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0, NONE, 0.0); }
   let oneMinusCos = u.x * coneOneMinusCos(sin2Max);
   let cosTheta = 1.0 - oneMinusCos;
   let sin2 = oneMinusCos * (1.0 + cosTheta);
@@ -80,7 +124,7 @@ fn sampleSphere(p: vec3f, center: vec3f, radius: f32, u: vec2f) -> LightSample {
   let wi = normalize(toWorld(frameAround(toCenter / d), vec3f(sqrt(sin2) * circle(u.y), cosTheta)));
   let distance = d * (cosTheta - sqrt(max(sin2Max - sin2, 0.0)));
   let solidAngle = TWO_PI * coneOneMinusCos(sin2Max);
-  return LightSample(wi, distance, vec3f(solidAngle), 1.0 / solidAngle, NONE);
+  return LightSample(wi, distance, vec3f(solidAngle), 1.0 / solidAngle, NONE, 0.0);
 }
 
 fn coneOneMinusCos(sin2Max: f32) -> f32 {
@@ -122,9 +166,9 @@ fn fromArea(p: vec3f, q: vec3f, n: vec3f, area: f32) -> LightSample {
   let d = sqrt(max(d2, 1e-36));
   let wi = toLight / d;
   let cosLight = -dot(wi, n);
-  if (cosLight <= 0.0 || d2 <= 1e-36) { return LightSample(wi, d, vec3f(0.0), 0.0, NONE); }
+  if (cosLight <= 0.0 || d2 <= 1e-36) { return LightSample(wi, d, vec3f(0.0), 0.0, NONE, 0.0); }
   let solidAngle = area * cosLight / d2;
-  return LightSample(wi, d, vec3f(solidAngle), 1.0 / solidAngle, NONE);
+  return LightSample(wi, d, vec3f(solidAngle), 1.0 / solidAngle, NONE, 0.0);
 }
 
 @if(POINT_LIGHTS)
@@ -132,5 +176,5 @@ fn samplePoint(p: vec3f, position: vec3f) -> LightSample {
   let toLight = position - p;
   let d2 = max(dot(toLight, toLight), 1e-36);
   let d = sqrt(d2);
-  return LightSample(toLight / d, d, vec3f(1.0 / d2), 0.0, NONE);
+  return LightSample(toLight / d, d, vec3f(1.0 / d2), 0.0, NONE, 0.0);
 }

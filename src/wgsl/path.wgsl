@@ -3,10 +3,12 @@
 // [1] Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", sections 9.2 and 10.2
 // [2] Arvo, Kirk 1990, "Particle Transport and Image Synthesis"
 import package::bsdf::{bsdfEval, bsdfSample};
+import package::camera::cameraRay;
 import package::constants::NONE;
-import package::dimensions::{DIRECTION, LIGHT, LOBE, dimensionAt};
+import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::frame::{toLocal, toWorld};
-import package::lights::sampleLight;
+import package::lamps::inLampWindow;
+import package::lights::{lightShareOf, sampleLight};
 import package::ray::{Ray, makeRay};
 import package::sampler::{Sampler, independent, point, subsample};
 import package::scene::{closestHit, environment, occluded};
@@ -16,13 +18,17 @@ import package::uniforms::{countRay, frame};
 // Paths shorter than this are never ended at random. [2]
 const ROULETTE_DEPTH = 4u;
 
-// Radiance that arrives at the origin of `camera` from its direction.
-fn Li(camera: Ray, samples: Sampler) -> vec3f {
+// Radiance that arrives in a pixel of the camera.
+fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   var L = vec3f(0.0);
   var beta = vec3f(1.0);
-  var ray = camera;
-  // Density of ray.d, per steradian; 0 for directions that light sampling cannot find too.
-  var pdf = 0.0;
+  var ray = cameraRay(pixel, point(samples, PIXEL));
+  // Density of ray.d, per steradian; 0 for directions that light sampling cannot find too. Negative where rays of their own
+  // look for what emits: see lamps.wgsl.
+  var pdf = select(0.0, -1.0, inLampWindow(pixel));
+  // Where the ray started, and the weight of all lights there.
+  var last: Surface;
+  var totalWeight = 1.0;
   for (var depth = 0u; ; depth++) {
     let hit = closestHit(ray);
     countRay();
@@ -31,10 +37,20 @@ fn Li(camera: Ray, samples: Sampler) -> vec3f {
       break;
     }
     let surface = surfaceAt(ray, hit);
-    @if(EMISSION) L += beta * surface.Le * select(powerHeuristic(pdf, lightSampleCount() * surface.lightPdf), 1.0, pdf == 0.0);
+    @if(EMISSION) {
+      var lightPdf = lightSampleCount() * surface.lightPdf;
+      @if(MANY_LIGHTS) lightPdf *= lightShareOf(hit.id, last) / max(totalWeight, 1e-36);
+      let weight = select(powerHeuristic(pdf, lightPdf), 1.0, pdf == 0.0);
+      L += beta * surface.Le * select(weight, 0.0, pdf < 0.0);
+    }
     if (depth >= frame.maxBounces) { break; }
 
-    @if(LIGHTS) L += beta * directLight(surface, samples, dimensionAt(depth, LIGHT));
+    @if(LIGHTS) {
+      let direct = directLight(surface, samples, dimensionAt(depth, LIGHT));
+      L += beta * direct.rgb;
+      last = surface;
+      totalWeight = direct.a;
+    }
 
     var choice = vec2f(0.0);
     @if(LOBES) choice = point(samples, dimensionAt(depth, LOBE));
@@ -50,12 +66,12 @@ fn Li(camera: Ray, samples: Sampler) -> vec3f {
   return L;
 }
 
-// Light that arrives straight from an emitter and is reflected towards the viewer.
+// Light that arrives straight from an emitter and is reflected towards the viewer; in a the total weight of the lights.
 @if(LIGHTS)
-fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
+fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec4f {
   @if(!MANY_LIGHT_SAMPLES) return oneLight(surface, point(samples, dimension), 1.0);
   @if(MANY_LIGHT_SAMPLES) {
-    var sum = vec3f(0.0);
+    var sum = vec4f(0.0);
     for (var i = 0u; i < frame.lightSamples; i++) {
       sum += oneLight(surface, point(subsample(samples, i, frame.lightSamples), dimension), lightSampleCount());
     }
@@ -64,14 +80,15 @@ fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
 }
 
 @if(LIGHTS)
-fn oneLight(surface: Surface, u: vec2f, sampleCount: f32) -> vec3f {
-  let light = sampleLight(surface.p, u);
+fn oneLight(surface: Surface, u: vec2f, sampleCount: f32) -> vec4f {
+  let light = sampleLight(surface, u);
   let f = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi));
   let weight = select(powerHeuristic(sampleCount * light.pdf, f.a), 1.0, light.pdf == 0.0);
   let reflected = f.rgb * light.estimate * weight;
-  if (all(reflected == vec3f(0.0))) { return vec3f(0.0); }
+  if (all(reflected == vec3f(0.0))) { return vec4f(vec3f(0.0), light.totalWeight); }
   countRay();
-  return select(reflected, vec3f(0.0), occluded(makeRay(surface.p, light.wi, surface.source), light.distance, light.id));
+  let hidden = occluded(makeRay(surface.p, light.wi, surface.source), light.distance, light.id);
+  return vec4f(select(reflected, vec3f(0.0), hidden), light.totalWeight);
 }
 
 fn lightSampleCount() -> f32 {

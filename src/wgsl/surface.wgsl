@@ -14,7 +14,8 @@ struct Material {
   diffuse: vec3f,
   f0: f32,
   emission: vec3f,
-  // Density of light sampling: per area on flat emitters, of the choice of light on spheres; 0 if never sampled.
+  // Density of light sampling: per area on flat emitters, of the choice of light on spheres; 0 if never sampled. Where there
+  // are many lights, to be multiplied by lightShareOf() and divided by the weight of all lights.
   lightDensity: f32,
   f90: f32,
   // 1 for the masking "schlick-beckmann", else 0.
@@ -32,7 +33,7 @@ struct Surface {
   bsdf: Bsdf,
   // Radiance towards the viewer; only the front side emits.
   Le: vec3f,
-  // Density, per steradian, with which light sampling at the ray's origin finds this point.
+  // Density, per steradian, with which light sampling at the ray's origin finds this point, but for the choice of light.
   lightPdf: f32,
   // What a ray that leaves from here names as its source.
   source: u32,

@@ -1,7 +1,7 @@
 // Traces sampleCount paths per pixel and adds them to one half of the film.
-import package::camera::cameraRay;
 import package::estimator::Li;
 import package::film::{FilmPixel, filmAdd};
+import package::lamps::lampLight;
 import package::sampler::makeSampler;
 import package::uniforms::{frame, rayCount};
 
@@ -28,16 +28,33 @@ fn trace(@builtin(global_invocation_id) id: vec3u) {
   var sum = vec4f(0.0);
   for (var i = 0u; i < frame.sampleCount; i++) {
     let samples = makeSampler(pixel, frame.half, frame.seed, frame.firstSample + i);
-    let L = Li(cameraRay(pixel, samples), samples);
+    let L = Li(pixel, samples);
     sum += select(vec4f(0.0), vec4f(L, 1.0), isFinite(L));
   }
+  addToFilm(pixel, sum);
+  let badSamples = frame.sampleCount - u32(sum.w);
+  if (badSamples > 0u) { atomicAdd(&counters.badSamples, badSamples); }
+}
+
+// Adds what the same paths leave out: see lamps.wgsl. One invocation per pixel of the lamps' window.
+@if(LAMPS)
+@compute @workgroup_size(8, 8)
+fn traceLamps(@builtin(global_invocation_id) id: vec3u) {
+  let pixel = id.xy + vec2u(frame.lampsFrom.x, max(frame.lampsFrom.y, frame.firstRow));
+  if (any(pixel >= vec2u(frame.lampsTo.x, min(frame.lampsTo.y, frame.endRow)))) { return; }
+  var sum = vec3f(0.0);
+  for (var i = 0u; i < frame.sampleCount; i++) {
+    sum += lampLight(pixel, makeSampler(pixel, frame.half, frame.seed, frame.firstSample + i));
+  }
+  addToFilm(pixel, vec4f(sum, 0.0));
+}
+
+fn addToFilm(pixel: vec2u, sum: vec4f) {
   let index = (frame.half * frame.size.y + pixel.y) * frame.size.x + pixel.x;
   let total = filmAdd(FilmPixel(film[index], carries[index]), sum);
   film[index] = total.sum;
   carries[index] = total.carry;
   atomicAdd(&counters.rays, rayCount);
-  let badSamples = frame.sampleCount - u32(sum.w);
-  if (badSamples > 0u) { atomicAdd(&counters.badSamples, badSamples); }
 }
 
 // By bits: WGSL lets a compiler assume that no value is infinite or NaN.

@@ -1,8 +1,9 @@
 // The baseline estimator, as in the real-time ray tracer this project grew from: uniform hemisphere directions of density
 // 1/2π, light points uniform on the emitter's surface, no multiple importance sampling. Same expectation as path.wgsl.
 import package::bsdf::{bsdfEval, bsdfSampleUniform};
+import package::camera::cameraRay;
 import package::constants::NONE;
-import package::dimensions::{DIRECTION, LIGHT, LOBE, dimensionAt};
+import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::frame::{toLocal, toWorld};
 import package::lights::sampleLight;
 import package::ray::{Ray, makeRay};
@@ -11,10 +12,10 @@ import package::scene::{closestHit, environment, occluded};
 import package::surface::{Surface, surfaceAt};
 import package::uniforms::{countRay, frame};
 
-fn Li(camera: Ray, samples: Sampler) -> vec3f {
+fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   var L = vec3f(0.0);
   var beta = vec3f(1.0);
-  var ray = camera;
+  var ray = cameraRay(pixel, point(samples, PIXEL));
   // Whether emitters that this ray hits have been counted already, by light sampling at its origin.
   var counted = false;
   for (var depth = 0u; ; depth++) {
@@ -54,7 +55,7 @@ fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
 
 @if(LIGHTS)
 fn oneLight(surface: Surface, u: vec2f) -> vec3f {
-  let light = sampleLight(surface.p, u);
+  let light = sampleLight(surface, u);
   let reflected = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi)).rgb * light.estimate;
   if (all(reflected == vec3f(0.0))) { return vec3f(0.0); }
   countRay();

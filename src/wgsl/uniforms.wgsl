@@ -24,6 +24,9 @@ struct FrameUniforms {
   lightSamples: u32,
   // Distance of `origin` from the camera in image planes. Nothing in view lies closer: see compile/clearDepth.ts.
   near: f32,
+  // Outside of these pixels, from the first to before the second, the camera sees no emitter.
+  lampsFrom: vec2u,
+  lampsTo: vec2u,
 }
 
 @group(0) @binding(0) var<uniform> frame: FrameUniforms;

@@ -18,7 +18,7 @@ type Sampled = {
   readonly id: number;
   readonly hitId: number;
   readonly hitT: number;
-  /** Density that MIS ascribes to light sampling where the ray hits. */
+  /** Density that MIS ascribes to light sampling where the ray hits, the choice of light included. */
   readonly hitPdf: number;
   readonly Le: number;
 };
@@ -53,6 +53,10 @@ const SCENES: Readonly<Record<string, Emitting>> = {
       { ...BALL, center: [0, 3, 0] } as SceneObject,
     ],
     lights: [{ ...SPHERE, position: [0, -3, 0] } as Light],
+  },
+  "a triangle and two sphere lights, for a glossy surface": {
+    objects: [TRIANGLE, { type: "sphere", center: [0, 1e4, 0], radius: 1, material: "glossy" }],
+    lights: [{ ...SPHERE, position: [0, -3, 0] } as Light, { ...SPHERE, position: [0, 4, 0], radius: 0.2 } as Light],
   },
 };
 
@@ -125,11 +129,11 @@ test("a point inside or on a sphere light gets no light sample and nothing that 
   }
 });
 
-/** `SAMPLES` light samples at every point. */
+/** `SAMPLES` light samples at every point, for a surface there that faces the origin and is seen at 45°. */
 async function sampleLights({ objects = [], lights = [] }: Emitting, points: readonly Vec3[]): Promise<Sampled[][]> {
   const scene = parseScene({
     camera: { position: [0, 0, 9] },
-    materials: { glow: { baseColor: [0, 0, 0], ior: 1, emission: [2, 2, 2] } },
+    materials: { glow: { baseColor: [0, 0, 0], ior: 1, emission: [2, 2, 2] }, glossy: { roughness: 0.4 } },
     objects,
     lights,
   });
@@ -138,16 +142,23 @@ async function sampleLights({ objects = [], lights = [] }: Emitting, points: rea
   const count = points.length * SAMPLES;
   const words = await runProbe({
     wgsl: `
+      import package::bsdf::Bsdf;
       import package::constants::NONE;
-      import package::lights::sampleLight;
+      import package::frame::frameAround;
+      import package::lights::{lightShareOf, sampleLight};
       import package::ray::makeRay;
       import package::sampler::{makeSampler, point};
       import package::scene::closestHit;
-      import package::surface::surfaceAt;
+      import package::surface::{Surface, surfaceAt};
       fn probe(i: u32) {
         let p = bitcast<vec4f>(inputs[i / ${SAMPLES}u]).xyz;
         let samples = makeSampler(vec2u(i / ${SAMPLES}u, 0u), 0u, 11u, i % ${SAMPLES}u);
-        let light = sampleLight(p, point(samples, 1u));
+        var seen: Surface;
+        seen.p = p;
+        seen.frame = frameAround(normalize(select(-p, vec3f(0.0, 0.0, 1.0), all(p == vec3f(0.0)))));
+        seen.wo = vec3f(sqrt(0.5), 0.0, sqrt(0.5));
+        seen.bsdf = Bsdf(vec3f(0.5), vec3f(0.04), 0.04, 1.0, 0.16, 0.0, 0.3, vec3f(1.0));
+        let light = sampleLight(seen, point(samples, 1u));
         let row = bitcast<vec4u>(vec4f(light.distance, light.pdf, light.estimate.r, 0.0));
         outputs[2u * i] = vec4u(row.xyz, light.id);
         let ray = makeRay(p, light.wi, NONE);
@@ -155,7 +166,9 @@ async function sampleLights({ objects = [], lights = [] }: Emitting, points: rea
         outputs[2u * i + 1u] = vec4u(hit.id, bitcast<u32>(hit.t), 0u, 0u);
         if (hit.id == NONE) { return; }
         let surface = surfaceAt(ray, hit);
-        outputs[2u * i + 1u].z = bitcast<u32>(surface.lightPdf);
+        var pdf = surface.lightPdf;
+        @if(MANY_LIGHTS) pdf *= lightShareOf(hit.id, seen) / light.totalWeight;
+        outputs[2u * i + 1u].z = bitcast<u32>(pdf);
         outputs[2u * i + 1u].w = bitcast<u32>(surface.Le.r);
       }`,
     conditions: features,

@@ -7,14 +7,21 @@ import { judge, measure } from "../support/statistics";
 const SEEDS = seedsFrom(1, 8);
 const SAMPLES = 32;
 
+// How far the viewer's estimate of its error may be off.
+const HONESTY = 1.1;
+
 // The default estimator with values as constants, as a resting scene is rendered; the other with values in the uniform, as
 // an edited one is. `constants.test.ts` holds the two kinds of program together.
 const CASES = [
-  ...REFERENCE_NAMES.map((name) => ({ name, estimator: "path" as const })),
-  ...(["cornell", "bleed", "spheres"] as const).map((name) => ({ name, estimator: "uniform" as const })),
+  ...REFERENCE_NAMES.map((name) => ({ name, estimator: "path", sampler: "sobol" }) as const),
+  ...REFERENCE_NAMES.map((name) => ({ name, estimator: "path", sampler: "independent" }) as const),
+  ...(["cornell", "bleed", "spheres"] as const).map(
+    (name) => ({ name, estimator: "uniform", sampler: "sobol" }) as const,
+  ),
 ];
 
-describe.each(CASES)("$name with the $estimator estimator, seeds 1–8", ({ name, estimator }) => {
+describe.each(CASES)("$name with the $estimator estimator and $sampler points, seeds 1–8", (settings) => {
+  const { name, estimator, sampler } = settings;
   const reference = loadReference(name);
   const { width, height } = reference;
   const rendered = renderOnce(() =>
@@ -22,7 +29,7 @@ describe.each(CASES)("$name with the $estimator estimator, seeds 1–8", ({ name
       size: [width, height],
       samples: SAMPLES,
       seeds: SEEDS,
-      settings: { estimator, constants: estimator === "path" },
+      settings: { estimator, sampler, constants: estimator === "path" },
     }),
   );
 
@@ -35,7 +42,7 @@ describe.each(CASES)("$name with the $estimator estimator, seeds 1–8", ({ name
       SAMPLES,
     );
     const verdict = judge(measured, reference);
-    console.log(`${name} ${estimator}: ${describeVerdict(verdict)}`);
+    console.log(`${name} ${estimator} ${sampler}: ${describeVerdict(verdict)}`);
     expect(verdict.pixelShare).toBeGreaterThanOrEqual(0.9975);
     expect(verdict.blockShare).toBe(1);
     for (const sigmas of verdict.meanSigmas) expect(Math.abs(sigmas)).toBeLessThan(4);
@@ -46,14 +53,24 @@ describe.each(CASES)("$name with the $estimator estimator, seeds 1–8", ({ name
   });
 
   test("knows its own error", async () => {
-    const renders = await rendered();
-    const actual = Math.sqrt(meanOf(renders.map(({ image }) => relativeMse(image, reference))));
-    const estimated = Math.sqrt(meanOf(renders.map(({ stats }) => stats.error ** 2)));
-    console.log(`${name} ${estimator}: relative RMSE ${actual.toFixed(4)}, estimated ${estimated.toFixed(4)}`);
+    const squares = (await rendered()).map(({ image, stats }) => ({
+      actual: relativeMse(image, reference),
+      estimated: stats.error ** 2,
+    }));
+    const logRatio = (of: Readonly<typeof squares>) =>
+      Math.log(Math.sqrt(meanOf(of.map(({ estimated }) => estimated)) / meanOf(of.map(({ actual }) => actual))));
+    const [ratio, chance] = [logRatio(squares), jackknifeError(squares, logRatio)];
+    const percent = (value: number) => (100 * value).toFixed(2);
+    const [actual, estimated] = (["actual", "estimated"] as const).map((key) =>
+      Math.sqrt(meanOf(squares.map((square) => square[key]))),
+    ) as [number, number];
+    console.log(
+      `${name} ${estimator} ${sampler}: relative RMSE ${percent(actual)} %, estimated ${percent(estimated)} %, chance ±${percent(chance)} %`,
+    );
     // Both have the same expectation: the estimate is made of two independent halves. What differs is chance, and rare
-    // bright samples rule it: the squares of some dozens of pixels carry most of either sum.
-    expect(estimated / actual).toBeGreaterThan(0.8);
-    expect(estimated / actual).toBeLessThan(1.25);
+    // bright samples rule it.
+    expect(Math.abs(ratio)).toBeLessThan(Math.log(HONESTY) + 3 * chance);
+    expect(chance).toBeLessThan(0.15); // or the comparison would say nothing
   });
 });
 
@@ -67,6 +84,13 @@ function relativeMse(image: Float32Array, { image: reference, standardError }: R
     sum += reference[i]!;
   }
   return squares / reference.length / (sum / reference.length) ** 2;
+}
+
+/** Standard error of a statistic of independent values: the spread of what it is without each one of them. */
+function jackknifeError<T>(values: readonly T[], statistic: (values: readonly T[]) => number): number {
+  const without = values.map((_, i) => statistic(values.filter((_, j) => j !== i)));
+  const mean = meanOf(without);
+  return Math.sqrt((values.length - 1) * meanOf(without.map((value) => (value - mean) ** 2)));
 }
 
 function meanOf(values: readonly number[]): number {

@@ -21,7 +21,7 @@ function blockersOf(objects: readonly SceneObject[], lights: readonly Light[], c
 
 function blockersIn(scene: ReturnType<typeof parseScene>, camera: Vec3): number[] {
   const primitives = primitivesOf(scene, [0, 0, 0]);
-  const emitters = emittersOf(scene, primitives, [0, 0, 0], "power");
+  const emitters = emittersOf(scene, primitives, [0, 0, 0]);
   return [...primitives.keys()].filter((id) => canBlock(id, primitives, emitters, camera));
 }
 

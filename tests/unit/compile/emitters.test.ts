@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { type Emitter, emittersOf } from "../../../src/compile/emitters";
 import { primitivesOf } from "../../../src/compile/primitives";
-import { cross, length, normalize, scale, subtract } from "../../../src/compile/vec3";
+import { add, cross, length, normalize, scale, subtract } from "../../../src/compile/vec3";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Light, Material, SceneObject, Vec3 } from "../../../src/scene/schema";
@@ -10,13 +10,9 @@ import { sceneOf } from "../../support/compiled";
 const MATERIALS: Record<string, Material> = { glow: { emission: [1, 1, 1] }, bright: { emission: [2, 4, 3] } };
 const UNIT_QUAD = quad({ corner: [0, 0, 0], edge1: [1, 0, 0], edge2: [0, 1, 0], material: "glow" });
 
-function emit(
-  objects: readonly SceneObject[],
-  lights: readonly Light[] = [],
-  choice: "power" | "even" = "power",
-): Emitter[] {
+function emit(objects: readonly SceneObject[], lights: readonly Light[] = []): Emitter[] {
   const scene = parseScene(sceneOf(objects, lights, MATERIALS));
-  return emittersOf(scene, primitivesOf(scene, [0, 0, 0]), [0, 0, 0], choice);
+  return emittersOf(scene, primitivesOf(scene, [0, 0, 0]), [0, 0, 0]);
 }
 
 function sphereOfLight(power: number, radius = 1): Light {
@@ -27,10 +23,6 @@ function pointOfLight(power: number): Light {
   return pointLight({ position: [0, 5, 0], power: [power, power, power] });
 }
 
-function totalOf(emitters: readonly Emitter[]): number {
-  return emitters.reduce((sum, { probability }) => sum + probability, 0);
-}
-
 /** Watts, summed over the channels, by the emitter's own geometry. */
 function powerOf({ kind, radiance, size }: Emitter): number {
   const sum = radiance[0] + radiance[1] + radiance[2];
@@ -38,43 +30,47 @@ function powerOf({ kind, radiance, size }: Emitter): number {
   return Math.PI * sum * (kind === "sphere" ? 4 * Math.PI * size ** 2 : size);
 }
 
-describe("choice", () => {
+describe("strength and bound", () => {
+  const triangleVertices: [Vec3, Vec3, Vec3] = [
+    [0, 0, 0],
+    [3, 0, 0],
+    [0, 2, 0],
+  ];
   const objects = [
     UNIT_QUAD,
-    triangle({
-      vertices: [
-        [0, 0, 0],
-        [3, 0, 0],
-        [0, 2, 0],
-      ],
-      material: "bright",
-    }),
+    triangle({ vertices: triangleVertices, material: "bright" }),
     sphere({ center: [0, 2, 0], radius: 0.5, material: "bright" }),
     box({ center: [4, 0, 0], size: [1, 2, 3], rotationY: 20, material: "glow" }),
   ];
   const lights = [sphereOfLight(7), pointOfLight(11)];
 
-  test("probabilities sum to 1 and are proportional to power", () => {
+  test("strength is power over π for flat emitters, over 4π for spheres and points", () => {
     const emitters = emit(objects, lights);
     expect(emitters).toHaveLength(1 + 1 + 1 + 6 + 1 + 1);
-    expect(totalOf(emitters)).toBeCloseTo(1, 12);
-    const total = emitters.reduce((sum, emitter) => sum + powerOf(emitter), 0);
-    for (const emitter of emitters) expect(emitter.probability).toBeCloseTo(powerOf(emitter) / total, 12);
+    for (const emitter of emitters) {
+      const isFlat = emitter.kind === "quad" || emitter.kind === "triangle";
+      expect(emitter.strength).toBeCloseTo(powerOf(emitter) / (isFlat ? Math.PI : 4 * Math.PI), 9);
+    }
   });
 
-  test("the baseline chooses evenly", () => {
-    const emitters = emit(objects, lights, "even");
-    expect(emitters.map(({ probability }) => probability)).toEqual(emitters.map(() => 1 / emitters.length));
+  test("every emitter lies in its bound, and a box's faces share one", () => {
+    const emitters = emit(objects, lights);
+    for (const { kind, position, edge1, edge2, size, bound } of emitters) {
+      const far = kind === "sphere" ? size : 0;
+      const corners = [position, add(position, edge1), add(position, edge2)];
+      if (kind === "quad") corners.push(add(add(position, edge1), edge2));
+      for (const corner of corners) {
+        expect(length(subtract(corner, bound.center)) + far).toBeLessThanOrEqual(bound.radius * (1 + 1e-12));
+      }
+    }
+    const faces = emitters.filter(({ primitive }) => primitive === 3);
+    expect(new Set(faces.map(({ bound }) => bound)).size).toBe(1);
   });
 
-  test("a light turned down to 0 stays an emitter that is never chosen", () => {
+  test("a light turned down to 0 stays an emitter, without strength", () => {
     const emitters = emit([], [sphereOfLight(0), pointOfLight(0), pointOfLight(5)]);
     expect(emitters.map(({ kind }) => kind)).toEqual(["sphere", "point", "point"]);
-    expect(emitters.map(({ probability }) => probability)).toEqual([0, 0, 1]);
-  });
-
-  test("lights that are all turned down share the choice", () => {
-    expect(emit([], [sphereOfLight(0), pointOfLight(0)]).map(({ probability }) => probability)).toEqual([0.5, 0.5]);
+    expect(emitters.map(({ strength }) => strength > 0)).toEqual([false, false, true]);
   });
 
   test("a scene without emitters has none", () => {
@@ -88,10 +84,9 @@ describe("power", () => {
     expect(powerOf(emitter!)).toBeCloseTo(3 * 60, 9);
   });
 
-  test("a sphere light's radius changes no probability", () => {
-    const probabilities = (radius: number) =>
-      emit([UNIT_QUAD], [sphereOfLight(60, radius), pointOfLight(3)]).map(({ probability }) => probability);
-    expect(probabilities(0.01)).toEqual(probabilities(1).map((p) => expect.closeTo(p, 12)));
+  test("a sphere light's radius changes no strength", () => {
+    const strength = (radius: number) => emit([], [sphereOfLight(60, radius)])[0]!.strength;
+    expect(strength(0.01)).toBeCloseTo(strength(1), 12);
   });
 
   test("a point light's intensity is power / 4π", () => {

@@ -113,15 +113,17 @@ describe("the shader contains only what the scene needs", () => {
   });
 });
 
-test.each(["path", "uniform"] as const)(
-  "what is linked for %s is plain WGSL with one entry point",
-  async (estimator) => {
-    const wgsl = await wgslOf(sceneOf([FLOOR], [BULB], { it: {} }), { estimator });
-    const code = wgsl.replaceAll(/\/\/.*/g, "");
-    expect(code).not.toMatch(/@if|@else|\bimport\b|package::/);
-    expect(code.match(/@compute/g)).toHaveLength(1);
-  },
-);
+test.each([
+  { estimator: "path", lamps: 1, entryPoints: ["trace", "traceLamps"] },
+  { estimator: "path", lamps: 0, entryPoints: ["trace"] },
+  { estimator: "uniform", lamps: 1, entryPoints: ["trace"] },
+] as const)("with $lamps lamps, $estimator is plain WGSL with the entry points $entryPoints", async (program) => {
+  const lights = program.lamps > 0 ? [BULB] : [pointLight({ position: [0, 3, 0], power: [1, 1, 1] })];
+  const wgsl = await wgslOf(sceneOf([FLOOR], lights, { it: {} }), { estimator: program.estimator });
+  const code = wgsl.replaceAll(/\/\/.*/g, "");
+  expect(code).not.toMatch(/@if|@else|\bimport\b|package::/);
+  expect([...code.matchAll(/@compute[^{]*?fn (\w+)/g)].map(([, name]) => name).sort()).toEqual(program.entryPoints);
+});
 
 test("no function is declared twice", async () => {
   const functions = await functionsOf([FLOOR, sphere({ center: [0, 0, 0], radius: 1, material: "it" })], [BULB], {});

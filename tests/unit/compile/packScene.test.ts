@@ -114,10 +114,11 @@ describe("the density of light sampling", () => {
       [0, 2, 0],
     ] as const;
     expect(densityOf(triangle({ vertices, material: "it" }))).toBe(1 / 2);
-    expect(densityOf(box({ center: [0, 0, 0], size: [2, 2, 2], material: "it" }))).toBeCloseTo(1 / 24, 7);
+    // Six lights: times the strength, 3 · 24.
+    expect(densityOf(box({ center: [0, 0, 0], size: [2, 2, 2], material: "it" }))).toBeCloseTo(3, 7);
   });
 
-  test("is the probability of the choice on spheres", () => {
+  test("is 1 on a lone sphere, whose cone is sampled", () => {
     expect(densityOf(BALL)).toBe(1);
   });
 
@@ -134,10 +135,10 @@ describe("the density of light sampling", () => {
     expect(densityOf(triangle({ vertices, material: "it" }))).toBe(0);
   });
 
-  test("counts the choice among several", () => {
-    // 3·π·8 W and 3·8π W: the same.
-    const point = pointLight({ position: [0, 9, 0], power: [8 * Math.PI, 8 * Math.PI, 8 * Math.PI] });
-    expect(pack([QUAD], [point], glow).materials[0]!.lightDensity).toBeCloseTo(1 / 16, 7);
+  test("holds the light's strength where there are several, for the shader to weigh", () => {
+    const point = pointLight({ position: [0, 9, 0], power: [5, 5, 5] });
+    expect(pack([QUAD], [point], glow).materials[0]!.lightDensity).toBeCloseTo(3, 7); // 3 · 8 m² / 8 m²
+    expect(pack([BALL], [point], glow).materials[0]!.lightDensity).toBeCloseTo(3 * Math.PI * 0.5 ** 2, 6);
   });
 });
 
@@ -176,8 +177,6 @@ describe("lights", () => {
         size: 8,
         radiance: [3, 2, 1],
         id: 1,
-        start: 0,
-        probability: 1,
       },
     ]);
   });
@@ -188,14 +187,7 @@ describe("lights", () => {
       [pointLight({ position: [1, 2, 3], power: [4, 8, 12].map((x) => x * Math.PI) as never })],
     ).lights;
     expect(light).toMatchObject({ kind: LIGHT_KINDS.point, position: [1, 2, 3], size: 0, id: constant("NONE") });
-    expect(light).toMatchObject({ radiance: [1, 2, 3], probability: 1 });
-  });
-
-  test("each starts where the one before ends", () => {
-    const point = (power: number) => pointLight({ position: [0, 0, 0], power: [power, power, power] });
-    const { lights } = pack([], [point(1), point(0), point(2), point(5)]);
-    expect(lights.map(({ start }) => start)).toEqual([0, 1 / 8, 1 / 8, 3 / 8]);
-    expect(lights.map(({ probability }) => probability)).toEqual([1 / 8, 0, 1 / 4, 5 / 8]);
+    expect(light).toMatchObject({ radiance: [1, 2, 3] });
   });
 });
 

@@ -1,0 +1,65 @@
+// Writes the part of the shader module `scene` that chooses the light to sample.
+
+import type { Vec3 } from "../scene/schema";
+import type { Emitter } from "./emitters";
+import { type Features, isFlat } from "./features";
+import type { Primitive, Shape } from "./primitives";
+import type { Values } from "./values";
+
+/**
+ * `chooseLight`: in proportion to the light that each one is expected to add to the surface, or evenly for the baseline
+ * estimator; and `lightBoundOf`, which knows the balls around emissive primitives.
+ */
+export function emitLightChoice(
+  primitives: readonly Primitive[],
+  emitters: readonly Emitter[],
+  features: Features,
+  values: Values,
+): string {
+  const signature = "fn chooseLight(surface: Surface, u: vec2f) -> LightChoice";
+  if (emitters.length <= 1) return `${signature} {\n  return LightChoice(0u, u, 1.0, 1.0);\n}\n`;
+  if (!features.MANY_LIGHTS) {
+    const count = `${emitters.length}.0`;
+    return `${signature} {
+  let x = u.x * ${count};
+  let index = min(u32(x), ${emitters.length - 1}u);
+  return LightChoice(index, vec2f(min(x - f32(index), 0x1.fffffep-1), u.y), 1.0 / ${count}, 1.0);
+}
+`;
+  }
+  const bounds = emitters.map(({ bound }) => `vec4f(${values.vec3(bound.center)}, ${values.scalar(bound.radius)})`);
+  const weights = emitters.map((emitter, i) => {
+    const share = isFlat(emitter, primitives)
+      ? `flatLightShare(surface, ${bounds[i]}, ${values.vec3(normalOf(primitives[emitter.primitive!]!.shape))})`
+      : `lightShare(surface, ${bounds[i]})`;
+    return `${values.scalar(emitter.strength)} * ${share}`;
+  });
+  const sums = weights.map((weight, i) => `  let sum${i} = ${i === 0 ? "" : `sum${i - 1} + `}${weight};\n`);
+  const steps = emitters.map((_, i) =>
+    i === 0 ? "" : `  chosen = select(chosen, vec3f(${i}.0, sum${i - 1}, sum${i}), x >= sum${i - 1});\n`,
+  );
+  const boundOfPrimitive = new Map(emitters.map(({ primitive }, i) => [primitive, bounds[i]]));
+  const lookups = [...boundOfPrimitive].map(([primitive, bound]) =>
+    primitive === undefined ? "" : `  bound = select(bound, ${bound}, id == ${primitive}u);\n`,
+  );
+  return `${signature} {
+${sums.join("")}  let total = sum${emitters.length - 1};
+  let x = u.x * total;
+  // Index, and where its share of total begins and ends.
+  var chosen = vec3f(0.0, 0.0, sum0);
+${steps.join("")}  let weight = chosen.z - chosen.y;
+  let stretched = clamp((x - chosen.y) / select(weight, 1.0, weight == 0.0), 0.0, 0x1.fffffep-1);
+  return LightChoice(u32(chosen.x), vec2f(stretched, u.y), weight / select(total, 1.0, total == 0.0), total);
+}
+
+fn lightBoundOf(id: u32) -> vec4f {
+  var bound = vec4f(0.0);
+${lookups.join("")}  return bound;
+}
+`;
+}
+
+function normalOf(shape: Shape): Vec3 {
+  if (shape.kind === "quad" || shape.kind === "triangle") return shape.normal;
+  throw new TypeError(`a ${shape.kind} has no single normal`);
+}

@@ -1,0 +1,66 @@
+import { describe, expect, test } from "vitest";
+import type { Light, Material, Scene, SceneObject } from "../../src/scene/schema";
+import { renderSeeds, seedsFrom } from "../support/device";
+import { createRandom } from "../support/random";
+import { measurePoint } from "../support/statistics";
+
+const SIZE = [48, 48] as const;
+const SEEDS = seedsFrom(1, 4);
+const SAMPLES = 64;
+
+const FLOORS: Readonly<Record<string, Material>> = {
+  "a diffuse floor": { baseColor: [0.7, 0.6, 0.5], ior: 1 },
+  "a glossy floor": { baseColor: [0.7, 0.6, 0.5], metallic: 0.5, roughness: 0.3 },
+};
+
+/** Lights of every kind over a floor, near and far, one of them below it and some turned away. */
+function litScene(floor: Material, seed: number): Scene {
+  const random = createRandom(seed);
+  const around = (y: number): [number, number, number] => [4 * random() - 2, y, 4 * random() - 2];
+  const material = "glow";
+  const objects: SceneObject[] = [
+    { type: "plane", point: [0, 0, 0], normal: [0, 1, 0], material: "floor" },
+    { type: "sphere", center: [0, 0.5, 0], radius: 0.5, material: "floor" },
+    { type: "sphere", center: around(1.5), radius: 0.2, material },
+    { type: "quad", corner: around(1), edge1: [0.5, 0, 0], edge2: [0, 0, 0.5], material }, // shines down
+    { type: "quad", corner: around(1), edge1: [0, 0, 0.5], edge2: [0.5, 0, 0], material }, // shines up
+    { type: "triangle", vertices: [around(1), around(2), around(1)], material },
+    { type: "box", center: around(0.2), size: [0.2, 0.4, 0.2], rotationY: 30, material },
+  ];
+  const lights: Light[] = [
+    { type: "sphere", position: around(2), radius: 0.3, power: [50, 60, 70] },
+    { type: "sphere", position: around(0), radius: 0.1, power: [5, 6, 7] }, // half below the floor
+    { type: "point", position: around(-1), power: [30, 30, 30] },
+    { type: "point", position: around(2), power: [40, 30, 20] },
+    { type: "point", position: around(3), power: [0, 0, 0] },
+  ];
+  return {
+    camera: { position: [0, 2.5, 4], target: [0, 0.3, 0], verticalFov: 45 },
+    materials: { floor, glow: { baseColor: [0, 0, 0], ior: 1, emission: [3, 4, 5] } },
+    objects,
+    lights,
+    maxBounces: 1,
+  };
+}
+
+describe.each(Object.keys(FLOORS))("twelve lights of every kind over %s, seed 31", (name) => {
+  const scene = litScene(FLOORS[name]!, 31);
+  const render = (settings: object) => renderSeeds(scene, { size: SIZE, samples: SAMPLES, seeds: SEEDS, settings });
+  const meanOf = (renders: Awaited<ReturnType<typeof render>>) => {
+    const means = renders.map(({ image }) => measurePoint(image).mean);
+    const mean = means.reduce((sum, value) => sum + value, 0) / means.length;
+    const variance = means.reduce((sum, value) => sum + (value - mean) ** 2, 0) / (means.length - 1);
+    return { mean, standardError: Math.sqrt(variance / means.length) };
+  };
+
+  test.each([1, 4])("give as much with %d light samples as the baseline finds", async (lightSamples) => {
+    const ours = await render({ lightSamples });
+    for (const { stats } of ours) expect(stats.badSamples).toBe(0);
+    const [path, baseline] = [meanOf(ours), meanOf(await render({ estimator: "uniform", lightSamples: 16 }))];
+    const sigma = Math.hypot(path.standardError, baseline.standardError);
+    // Four values give a standard error that is itself uncertain: Student's t with 3 + 3 degrees of freedom is below 5.96
+    // with probability 0.999.
+    expect(Math.abs(path.mean - baseline.mean)).toBeLessThan(5.96 * sigma);
+    expect(sigma).toBeLessThan(0.02 * baseline.mean); // or the comparison would say nothing
+  });
+});

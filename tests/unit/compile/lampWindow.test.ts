@@ -1,0 +1,96 @@
+import { describe, expect, test } from "vitest";
+import type { View } from "../../../src/compile/clearDepth";
+import { lampWindow, shareOf, type Window } from "../../../src/compile/lampWindow";
+import type { Shape } from "../../../src/compile/primitives";
+import { add, cross, dot, normalize, scale, subtract } from "../../../src/compile/vec3";
+import type { Vec3 } from "../../../src/scene/schema";
+import { createRandom, randomDirection } from "../../support/random";
+
+const random = createRandom(21);
+const VIEWS = 300;
+const POINTS = 400;
+
+const triple = (size: number): Vec3 => scale(randomDirection(random), size * random());
+
+function randomView(): View {
+  const forward = randomDirection(random);
+  const side = normalize(cross(forward, randomDirection(random)));
+  const [halfWidth, halfHeight] = [0.1 + random(), 0.1 + random()];
+  return { origin: triple(8), forward, right: scale(side, halfWidth), up: scale(cross(side, forward), halfHeight) };
+}
+
+const LAMPS: Readonly<Record<string, () => { shape: Shape; point: () => Vec3 }>> = {
+  sphere: () => {
+    const [center, radius] = [triple(5), 0.1 + 2 * random()];
+    return {
+      shape: { kind: "sphere", center, radius },
+      point: () => add(center, scale(randomDirection(random), radius)),
+    };
+  },
+  quad: () => {
+    const [corner, edge1, edge2] = [triple(5), triple(3), triple(3)];
+    const normal = normalize(cross(edge1, edge2));
+    const point = () => add(corner, add(scale(edge1, random()), scale(edge2, random())));
+    return { shape: { kind: "quad", corner, edge1, edge2, normal, axis: undefined }, point };
+  },
+  box: () => {
+    const [center, turn] = [triple(5), 7 * random()];
+    const halfSize: Vec3 = [random(), random(), random()];
+    const point = (): Vec3 => {
+      const [x, y, z] = halfSize.map((half) => half * (2 * random() - 1)) as [number, number, number];
+      const [c, s] = [Math.cos(turn), Math.sin(turn)];
+      return add(center, [c * x + s * z, y, c * z - s * x]);
+    };
+    return { shape: { kind: "box", center, halfSize, turn }, point };
+  },
+};
+
+/** Image plane coordinates of a point in view, else undefined. */
+function project(point: Vec3, { origin, forward, right, up }: View): [number, number] | undefined {
+  const offset = subtract(point, origin);
+  const depth = dot(offset, forward);
+  if (depth <= 0) return undefined;
+  const [x, y] = [right, up].map((axis) => dot(offset, axis) / (depth * dot(axis, axis))) as [number, number];
+  return Math.abs(x) <= 1 && Math.abs(y) <= 1 ? [x, y] : undefined;
+}
+
+const contains = ([left, bottom, right, top]: Window, [x, y]: [number, number]) =>
+  x >= left - 1e-9 && x <= right + 1e-9 && y >= bottom - 1e-9 && y <= top + 1e-9;
+
+describe.each(Object.keys(LAMPS))("the window of a %s, seed 21", (kind) => {
+  test("holds every point of it that is in view", () => {
+    let seen = 0;
+    for (let i = 0; i < VIEWS; i++) {
+      const { shape, point } = LAMPS[kind]!();
+      const view = randomView();
+      const window = lampWindow([shape], view);
+      const points = Array.from({ length: POINTS }, () => project(point(), view)).filter((p) => p !== undefined);
+      seen += points.length;
+      expect(points.every((p) => contains(window, p))).toBe(true);
+    }
+    expect(seen).toBeGreaterThan(1000);
+  });
+});
+
+const FRONT: View = { origin: [0, 0, 10], forward: [0, 0, -1], right: [0.5, 0, 0], up: [0, 0.5, 0] };
+
+test("a ball's window ends at its tangents", () => {
+  const [, , right] = lampWindow([{ kind: "sphere", center: [0, 0, 0], radius: 1 }], FRONT);
+  expect(right).toBeCloseTo(Math.tan(Math.asin(1 / 10)) / 0.5, 12);
+});
+
+test("several lamps share the window around all of them", () => {
+  const lamps = [-1, 1].map((x): Shape => ({ kind: "sphere", center: [2 * x, 0, 0], radius: 0.5 }));
+  const [left, bottom, right, top] = lampWindow(lamps, FRONT);
+  expect(left).toBeCloseTo(-right, 12);
+  expect(right).toBeGreaterThan(2.5 / 5);
+  expect(top - bottom).toBeLessThan(0.25);
+});
+
+test("what is behind the camera or beside the image has no window, a plane the whole image", () => {
+  const ball = (center: Vec3): Shape => ({ kind: "sphere", center, radius: 1 });
+  expect(shareOf(lampWindow([ball([0, 0, 20])], FRONT))).toBe(0);
+  expect(shareOf(lampWindow([ball([30, 0, 0])], FRONT))).toBe(0);
+  expect(shareOf(lampWindow([], FRONT))).toBe(0);
+  expect(shareOf(lampWindow([{ kind: "plane", point: [0, 0, 0], normal: [0, 1, 0], axis: "Y" }], FRONT))).toBe(1);
+});
