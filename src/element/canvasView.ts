@@ -1,12 +1,25 @@
 import { WebGpuError } from "../errors";
 import type { PathTracer } from "../renderer/pathTracer";
+import type { Settings } from "../renderer/settings";
 import type { PixelSize } from "./canvasSize";
+import { FrameBudget } from "./frameBudget";
 
-/** One tracer that draws into one canvas, and owns both the tracer and the canvas's connection to the GPU. */
+/**
+ * One tracer that draws into one canvas, and owns both the tracer and the canvas's connection to the GPU.
+ *
+ * The canvas always has every pixel. The film has fewer, and fewer samples per frame, while the camera, the scene or the
+ * canvas changes from frame to frame and the adapter could not keep up otherwise.
+ */
 export class CanvasView {
   readonly tracer: PathTracer;
   readonly #canvas: HTMLCanvasElement;
   readonly #context: GPUCanvasContext;
+  readonly #budget = new FrameBudget();
+  /** The canvas's, from the next picture on. */
+  #size: PixelSize;
+  #samplesPerFrame: number;
+  /** What the last frame was to show, compared by identity: the tracer keeps its objects until they change. */
+  #shown: readonly object[];
   #exposure = 0;
   /** The canvas does not show what it would show if the film were drawn now. */
   #isStale = true;
@@ -18,6 +31,9 @@ export class CanvasView {
     this.tracer = tracer;
     this.#canvas = canvas;
     this.#context = context;
+    this.#size = { width: tracer.width, height: tracer.height };
+    this.#samplesPerFrame = tracer.settings.samplesPerFrame;
+    this.#shown = this.#toShow();
     context.configure({
       device: tracer.device,
       format: navigator.gpu.getPreferredCanvasFormat(),
@@ -31,9 +47,20 @@ export class CanvasView {
     this.#exposure = stops;
   }
 
-  /** In physical pixels. The canvas itself follows with the next picture, so that none is lost meanwhile. */
+  /** Of the picture at rest. */
+  set settings(settings: Settings) {
+    this.#samplesPerFrame = settings.samplesPerFrame;
+    this.tracer.update(settings);
+  }
+
+  /** In physical pixels. The film follows with the next frame, and the canvas with its picture, so that none is lost. */
   resize({ width, height }: PixelSize): void {
-    this.tracer.resize(width, height);
+    if (width !== this.#size.width || height !== this.#size.height) this.#size = { width, height };
+  }
+
+  /** Whether the film has a sample, or will have, of every pixel of the canvas: not while the picture moves too fast. */
+  get isFullSize(): boolean {
+    return this.tracer.width === this.#size.width && this.tracer.height === this.#size.height;
   }
 
   /** Shows the film again, though it may not have changed; after the canvas was moved, say. */
@@ -49,12 +76,18 @@ export class CanvasView {
    */
   draw(): boolean {
     const { tracer } = this;
+    this.#fitFilm(performance.now());
     if (tracer.frame()) this.#isStale = true;
+    if (!this.#isStale) return false;
     // Until its first sample is complete the film has nothing to show, and the canvas keeps its last picture.
-    if (!this.#isStale || tracer.stats.samples === 0) return false;
-    this.#fitCanvas();
-    if (!tracer.present(this.#context, { exposure: this.#exposure })) return false;
+    if (!this.#present()) return false;
     this.#isStale = false;
+    const { width, height } = this.#size;
+    if (this.#canvas.width === width && this.#canvas.height === height) return true;
+    // Setting a canvas's size clears it, so this is left until there is something to draw, which then is drawn again.
+    this.#canvas.width = width;
+    this.#canvas.height = height;
+    this.#present();
     return true;
   }
 
@@ -63,10 +96,22 @@ export class CanvasView {
     this.tracer.dispose();
   }
 
-  /** Setting a canvas's size clears it, so this is left until right before it is drawn to. */
-  #fitCanvas(): void {
-    const { width, height } = this.tracer;
-    if (this.#canvas.width !== width) this.#canvas.width = width;
-    if (this.#canvas.height !== height) this.#canvas.height = height;
+  #present(): boolean {
+    return this.tracer.present(this.#context, { exposure: this.#exposure });
+  }
+
+  #toShow(): readonly object[] {
+    return [this.tracer.camera, this.tracer.scene, this.#size];
+  }
+
+  #fitFilm(nowMs: number): void {
+    const { tracer } = this;
+    const before = this.#shown;
+    this.#shown = this.#toShow();
+    if (this.#shown.some((part, index) => part !== before[index])) this.#budget.noteChange(nowMs);
+    const full = { ...this.#size, samples: this.#samplesPerFrame };
+    const { width, height, samples } = this.#budget.passFor(full, tracer, tracer.stats.pathsPerSecond, nowMs);
+    tracer.resize(width, height);
+    if (samples !== tracer.settings.samplesPerFrame) tracer.update({ samplesPerFrame: samples });
   }
 }

@@ -10,7 +10,7 @@ import { LatestTask } from "./latestTask";
 /** Whom the stage tells what happens on it. */
 export type StageListener = {
   /** A scene is loaded and compiled; its first picture comes with one of the next frames. */
-  readonly onScene: (tracer: PathTracer) => void;
+  readonly onScene: () => void;
   readonly onReady: (detail: ReadyDetail) => void;
   readonly onProgress: (detail: ProgressDetail) => void;
   readonly onConverged: (detail: ProgressDetail) => void;
@@ -31,6 +31,8 @@ export class Stage {
   #isPaused = false;
   /** When the scene was asked for whose first picture is still to come. */
   #requestedAt: number | undefined;
+  /** Whether anything was drawn since. */
+  #hasDrawn = false;
   #reportedAt = Number.NEGATIVE_INFINITY;
   #reportedSamples = 0;
   #wasConverged = false;
@@ -70,13 +72,13 @@ export class Stage {
 
   set settings(settings: Settings) {
     this.#settings = settings;
-    this.tracer?.update(this.#effectiveSettings());
+    this.#applySettings();
   }
 
   /** Whether the picture rests as it is; a new view still gets its first sample. */
   set isPaused(isPaused: boolean) {
     this.#isPaused = isPaused;
-    this.tracer?.update(this.#effectiveSettings());
+    this.#applySettings();
   }
 
   /** In stops. */
@@ -92,7 +94,8 @@ export class Stage {
       const isLast = await this.#task.run(read, (scene, signal) => this.#put(scene, signal));
       if (!isLast || this.#view === undefined) return;
       this.#requestedAt = requestedAt;
-      this.#listener.onScene(this.#view.tracer);
+      this.#hasDrawn = false;
+      this.#listener.onScene();
     } catch (error) {
       this.#listener.onError(toError(error));
     }
@@ -102,8 +105,8 @@ export class Stage {
   tick(): void {
     if (this.#view === undefined) return;
     try {
-      const hasDrawn = this.#view.draw();
-      this.#report(this.#view.tracer, hasDrawn);
+      if (this.#view.draw()) this.#hasDrawn = true;
+      this.#report(this.#view);
     } catch (error) {
       this.clear();
       this.#listener.onError(toError(error));
@@ -140,7 +143,7 @@ export class Stage {
     }
     // What changed while the scene was compiled.
     this.#view.resize(this.#size);
-    this.#view.tracer.update(this.#effectiveSettings());
+    this.#applySettings();
     this.#view.exposure = this.#exposure;
   }
 
@@ -152,10 +155,10 @@ export class Stage {
     });
   }
 
-  #report(tracer: PathTracer, hasDrawn: boolean): void {
+  #report({ tracer, isFullSize }: CanvasView): void {
     const { samples, error, converged } = tracer.stats;
     const now = performance.now();
-    if (hasDrawn && samples > 0 && this.#requestedAt !== undefined) {
+    if (this.#hasDrawn && samples > 0 && this.#requestedAt !== undefined) {
       const milliseconds = now - this.#requestedAt;
       this.#requestedAt = undefined;
       this.#reportedSamples = 0;
@@ -168,9 +171,13 @@ export class Stage {
       this.#reportedSamples = samples;
       if (samples > 0) this.#listener.onProgress({ samples, error });
     }
-    const hasConverged = converged && !this.#isPaused;
+    const hasConverged = converged && isFullSize && !this.#isPaused;
     if (hasConverged && !this.#wasConverged) this.#listener.onConverged({ samples, error });
     this.#wasConverged = hasConverged;
+  }
+
+  #applySettings(): void {
+    if (this.#view !== undefined) this.#view.settings = this.#effectiveSettings();
   }
 
   /** A pause is a limit of one sample: what has more of them stays, and a new view gets one. */

@@ -21,11 +21,12 @@ export async function createComputePipeline(
   }
 }
 
-/** Compiles a pipeline that draws one triangle over the whole of a target of the given format. */
+/** Compiles a pipeline that draws one triangle over the whole of a target of the given format, by one fragment entry point. */
 export async function createBlitPipeline(
   device: GPUDevice,
   label: string,
   code: string,
+  entryPoint: string,
   format: GPUTextureFormat,
 ): Promise<GPURenderPipeline> {
   const module = device.createShaderModule({ label, code });
@@ -34,7 +35,7 @@ export async function createBlitPipeline(
       label,
       layout: "auto",
       vertex: { module },
-      fragment: { module, targets: [{ format }] },
+      fragment: { module, entryPoint, targets: [{ format }] },
     });
   } catch (cause) {
     throw await compileError(label, module, cause);

@@ -1,5 +1,5 @@
 import { linkModule } from "../compile/linkProgram";
-import { BlitPass } from "../gpu/blitPass";
+import { BlitPass, type BlitPipelines } from "../gpu/blitPass";
 import type { Film } from "../gpu/film";
 import { BufferUsage, MapMode, TextureUsage } from "../gpu/flags";
 import { createBlitPipeline } from "../gpu/pipelines";
@@ -16,35 +16,33 @@ const ROW_ALIGNMENT = 256; // WebGPU's bytesPerRow in texture copies
 /** Shows a film on textures of one format. */
 export class Display {
   readonly #device: GPUDevice;
-  readonly #pipeline: GPURenderPipeline;
+  readonly #pipelines: BlitPipelines;
   #pass: BlitPass;
   #film: Film;
 
   static async create(device: GPUDevice, film: Film, format: GPUTextureFormat): Promise<Display> {
-    const pipeline = await createBlitPipeline(device, "blit", await linkModule("blit"), format);
-    return new Display(device, film, pipeline);
+    const code = await linkModule("blit");
+    const create = (entryPoint: string) => createBlitPipeline(device, "blit", code, entryPoint, format);
+    const [show, stretch] = await Promise.all([create("show"), create("stretch")]);
+    return new Display(device, film, { show, stretch });
   }
 
-  private constructor(device: GPUDevice, film: Film, pipeline: GPURenderPipeline) {
+  private constructor(device: GPUDevice, film: Film, pipelines: BlitPipelines) {
     this.#device = device;
-    this.#pipeline = pipeline;
+    this.#pipelines = pipelines;
     this.#film = film;
-    this.#pass = new BlitPass(device, pipeline, film);
+    this.#pass = new BlitPass(device, pipelines, film);
   }
 
-  /** Draws the film, stretched over the whole texture. */
+  /** Draws the film, stretched smoothly over the whole texture. */
   draw(film: Film, target: GPUTexture, { exposure = 0 }: View): void {
     if (film !== this.#film) {
       this.#pass.dispose();
       this.#film = film;
-      this.#pass = new BlitPass(this.#device, this.#pipeline, film);
+      this.#pass = new BlitPass(this.#device, this.#pipelines, film);
     }
     const encoder = this.#device.createCommandEncoder({ label: "present" });
-    this.#pass.encode(encoder, target, {
-      filmSize: [film.width, film.height],
-      targetSize: [target.width, target.height],
-      exposure: 2 ** exposure,
-    });
+    this.#pass.encode(encoder, target, 2 ** exposure);
     this.#device.queue.submit([encoder.finish()]);
   }
 
