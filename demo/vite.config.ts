@@ -2,9 +2,9 @@ import { readdirSync, readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
+import { leanShaders } from "../vite.config";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
-const SCENES = here("../tests/reference/scenes/");
 
 /** The site. It uses the package by its public entries only. */
 export default defineConfig({
@@ -18,30 +18,35 @@ export default defineConfig({
       { find: /^rt-viewer\/panel$/, replacement: here("../src/panel/panel.ts") },
     ],
   },
-  plugins: [servedScenes()],
+  plugins: [
+    { ...leanShaders(), apply: "build" }, // in development a changed shader reloads the page
+    served("scenes", here("../tests/reference/scenes/"), /\.json$/),
+    served("references", here("../tests/reference/"), /\.(f32|meta\.json)$/),
+  ],
   build: {
     target: "es2022",
     outDir: "dist",
     emptyOutDir: true,
+    rollupOptions: { input: [here("index.html"), here("performance.html")] },
   },
 });
 
-/** Serves the reference scenes as `scenes/NAME.json` and puts them into the build, so that there is one copy of each. */
-function servedScenes(): Plugin {
-  const names = readdirSync(SCENES).filter((name) => name.endsWith(".json"));
+/** Serves a folder's files as `PATH/NAME` and puts them into the build, so that there is one copy of each. */
+function served(path: string, folder: string, pattern: RegExp): Plugin {
+  const names = readdirSync(folder).filter((name) => pattern.test(name));
   return {
-    name: "served-scenes",
+    name: `served-${path}`,
     configureServer(server) {
-      server.middlewares.use("/scenes", (request, response, next) => {
+      server.middlewares.use(`/${path}`, (request, response, next) => {
         const name = basename(new URL(request.url ?? "", "http://localhost").pathname);
         if (!names.includes(name)) return next();
-        response.setHeader("Content-Type", "application/json");
-        response.end(readFileSync(SCENES + name));
+        response.setHeader("Content-Type", name.endsWith(".json") ? "application/json" : "application/octet-stream");
+        response.end(readFileSync(folder + name));
       });
     },
     generateBundle() {
       for (const name of names) {
-        this.emitFile({ type: "asset", fileName: `scenes/${name}`, source: readFileSync(SCENES + name) });
+        this.emitFile({ type: "asset", fileName: `${path}/${name}`, source: readFileSync(folder + name) });
       }
     },
   };

@@ -1,0 +1,67 @@
+import { type Adapter, openAdapter } from "./adapter";
+import { copyText } from "./copying";
+import { element } from "./page";
+import { RaceView } from "./raceView";
+import { resultsText } from "./results";
+import { Stage } from "./stage";
+import { listSettings, TableView } from "./tableView";
+
+listSettings();
+try {
+  start(await openAdapter());
+} catch (error) {
+  document.body.classList.add("without-adapter");
+  element("#adapter").textContent = "none found";
+  fail("This page measures the adapter it is looked at with, and here there is none.", error);
+}
+
+function start(adapter: Adapter): void {
+  describe(adapter);
+  const stage = new Stage();
+  const report = (error: unknown) => fail("The measurement broke off.", error);
+  const race = new RaceView(adapter, stage, report);
+  const table = new TableView(adapter, stage, report);
+  void adapter.device.lost.then(({ message }) => fail("The graphics device was lost; reload the page.", message));
+
+  for (const button of document.querySelectorAll<HTMLButtonElement>("[data-copy]")) {
+    button.disabled = false;
+    button.addEventListener("click", async () => {
+      const outcome = await copyText(resultsText(adapter, race.results, table.results), element("#by-hand"));
+      if (outcome === "copied") confirm(button);
+    });
+  }
+
+  document.addEventListener("visibilitychange", () => {
+    if (document.hidden) stage.stop();
+  });
+  whenVisible(() => race.run());
+}
+
+function describe({ name, isSoftware }: Adapter): void {
+  element("#adapter").textContent = name;
+  element("#software").hidden = !isSoftware;
+}
+
+/** Says on the button, for a moment, that it has done its work. */
+function confirm(button: HTMLButtonElement): void {
+  const label = button.dataset.label ?? button.textContent ?? "";
+  button.dataset.label = label;
+  button.textContent = "Copied ✓";
+  element("#announcement").textContent = "The results are on the clipboard.";
+  setTimeout(() => {
+    button.textContent = label;
+  }, 2500);
+}
+
+/** A page opened in the background does not race before it is looked at. */
+function whenVisible(action: () => void): void {
+  if (document.hidden) document.addEventListener("visibilitychange", action, { once: true });
+  else action();
+}
+
+function fail(title: string, reason: unknown): void {
+  element("#failure-title").textContent = title;
+  element("#failure-reason").textContent = reason instanceof Error ? reason.message : String(reason);
+  element("#failure").hidden = false;
+  element("#failure").scrollIntoView({ block: "nearest" });
+}
