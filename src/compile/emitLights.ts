@@ -1,21 +1,14 @@
 // Writes the part of the shader module `scene` that chooses the light to sample.
 
-import type { Vec3 } from "../scene/schema";
 import type { Emitter } from "./emitters";
-import { type Features, isFlat } from "./features";
-import type { Primitive, Shape } from "./primitives";
+import type { Features } from "./features";
 import type { Values } from "./values";
 
 /**
  * `chooseLight`: in proportion to the light that each one is expected to add to the surface, or evenly for the baseline
  * estimator; and `lightBoundOf`, which knows the balls around emissive primitives.
  */
-export function emitLightChoice(
-  primitives: readonly Primitive[],
-  emitters: readonly Emitter[],
-  features: Features,
-  values: Values,
-): string {
+export function emitLightChoice(emitters: readonly Emitter[], features: Features, values: Values): string {
   const signature = "fn chooseLight(surface: Surface, u: vec2f) -> LightChoice";
   if (emitters.length <= 1) return `${signature} {\n  return LightChoice(0u, u, 1.0, 1.0);\n}\n`;
   if (!features.MANY_LIGHTS) {
@@ -27,23 +20,27 @@ export function emitLightChoice(
 }
 `;
   }
-  const bounds = emitters.map(({ bound }) => `vec4f(${values.vec3(bound.center)}, ${values.scalar(bound.radius)})`);
-  const weights = emitters.map((emitter, i) => {
-    const share = isFlat(emitter, primitives)
-      ? `flatLightShare(surface, ${bounds[i]}, ${values.vec3(normalOf(primitives[emitter.primitive!]!.shape))})`
-      : `lightShare(surface, ${bounds[i]})`;
-    return `${values.scalar(emitter.strength)} * ${share}`;
+  // The faces of a box share a bound, and with it what is expected of them.
+  const groups = [...new Set(emitters.map(({ bound }) => bound))];
+  const bounds = groups.map(({ center, radius }) => `vec4f(${values.vec3(center)}, ${values.scalar(radius)})`);
+  const shares = groups.map((group, k) => {
+    const { front } = emitters.find(({ bound }) => bound === group)!;
+    const call = front
+      ? `flatLightShare(surface, ${bounds[k]}, ${values.vec3(front)})`
+      : `lightShare(surface, ${bounds[k]})`;
+    return `  let share${k} = ${call};\n`;
   });
+  const weights = emitters.map(({ strength, bound }) => `${values.scalar(strength)} * share${groups.indexOf(bound)}`);
   const sums = weights.map((weight, i) => `  let sum${i} = ${i === 0 ? "" : `sum${i - 1} + `}${weight};\n`);
   const steps = emitters.map((_, i) =>
     i === 0 ? "" : `  chosen = select(chosen, vec3f(${i}.0, sum${i - 1}, sum${i}), x >= sum${i - 1});\n`,
   );
-  const boundOfPrimitive = new Map(emitters.map(({ primitive }, i) => [primitive, bounds[i]]));
-  const lookups = [...boundOfPrimitive].map(([primitive, bound]) =>
-    primitive === undefined ? "" : `  bound = select(bound, ${bound}, id == ${primitive}u);\n`,
-  );
+  const lookups = groups.map((group, k) => {
+    const { primitive } = emitters.find(({ bound }) => bound === group)!;
+    return primitive === undefined ? "" : `  bound = select(bound, ${bounds[k]}, id == ${primitive}u);\n`;
+  });
   return `${signature} {
-${sums.join("")}  let total = sum${emitters.length - 1};
+${shares.join("")}${sums.join("")}  let total = sum${emitters.length - 1};
   let x = u.x * total;
   // Index, and where its share of total begins and ends.
   var chosen = vec3f(0.0, 0.0, sum0);
@@ -57,9 +54,4 @@ fn lightBoundOf(id: u32) -> vec4f {
 ${lookups.join("")}  return bound;
 }
 `;
-}
-
-function normalOf(shape: Shape): Vec3 {
-  if (shape.kind === "quad" || shape.kind === "triangle") return shape.normal;
-  throw new TypeError(`a ${shape.kind} has no single normal`);
 }

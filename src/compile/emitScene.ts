@@ -46,7 +46,7 @@ export function emitScene(
     .map(({ normal }, id) => (normal ? `  n = select(n, ${normal}, id == ${id}u);\n` : ""))
     .join("");
 
-  const lightChoice = emitLightChoice(primitives, emitters, features, values);
+  const lightChoice = emitLightChoice(emitters, features, values);
 
   return `
 import package::box::{boxIntersect, boxNormal, turnedBoxIntersect};

@@ -19,8 +19,10 @@ export type Emitter = {
   readonly radiance: Rgb;
   /** Index of the primitive that carries the emission; undefined for a point. */
   readonly primitive: number | undefined;
-  /** Intensity along the normal, or in all directions, summed over the channels. What the choice of a light goes by. */
+  /** Intensity along the normal, or in all directions, in proportion to the strongest's. What the choice of a light goes by. */
   readonly strength: number;
+  /** The side that a flat primitive shines to; undefined where light leaves in all directions, as from a box's faces together. */
+  readonly front: Vec3 | undefined;
   /** A ball around all of the primitive's emitters. */
   readonly bound: { readonly center: Vec3; readonly radius: number };
 };
@@ -30,12 +32,15 @@ export type Emitter = {
  * light is found by scattered rays.
  */
 export function emittersOf(scene: ResolvedScene, primitives: readonly Primitive[], origin: Vec3): Emitter[] {
-  return [
+  const emitters = [
     ...primitives.flatMap((primitive, index) =>
       isEmissive(primitive) ? surfaceEmitters(primitive.shape, primitive.emission, index) : [],
     ),
     ...scene.lights.flatMap((light) => (light.type === "point" ? [pointEmitter(light, origin)] : [])),
   ];
+  const strongest = Math.max(...emitters.map(({ strength }) => strength));
+  if (!(strongest > 0)) return emitters;
+  return emitters.map((emitter) => ({ ...emitter, strength: emitter.strength / strongest }));
 }
 
 function pointEmitter(light: ResolvedLight & { type: "point" }, origin: Vec3): Emitter {
@@ -50,6 +55,7 @@ function pointEmitter(light: ResolvedLight & { type: "point" }, origin: Vec3): E
     radiance,
     primitive: undefined,
     strength: sum(radiance),
+    front: undefined,
     bound,
   };
 }
@@ -67,17 +73,17 @@ function surfaceEmitters(shape: Shape, radiance: Rgb, primitive: number): Emitte
       const { center: position, radius: size } = shape;
       const strength = sum(radiance) * Math.PI * size ** 2;
       const bound = { center: position, radius: size };
-      return [{ ...NO_EDGES, kind: "sphere", position, size, radiance, primitive, strength, bound }];
+      return [{ ...NO_EDGES, kind: "sphere", position, size, radiance, primitive, strength, front: undefined, bound }];
     }
     case "quad": {
       const { corner, edge1, edge2 } = shape;
       const bound = ballAround([corner, add(corner, edge1), add(corner, edge2), add(add(corner, edge1), edge2)]);
-      return [flat("quad", corner, edge1, edge2, radiance, primitive, bound)];
+      return [flat("quad", corner, edge1, edge2, radiance, primitive, bound, shape.normal)];
     }
     case "triangle": {
       const [a, b, c] = shape.vertices;
       const bound = ballAround(shape.vertices);
-      const emitter = flat("triangle", a, subtract(b, a), subtract(c, a), radiance, primitive, bound);
+      const emitter = flat("triangle", a, subtract(b, a), subtract(c, a), radiance, primitive, bound, shape.normal);
       return emitter.size > 0 ? [emitter] : [];
     }
     case "box": {
@@ -97,9 +103,10 @@ function flat(
   radiance: Rgb,
   primitive: number,
   bound: Emitter["bound"],
+  front?: Vec3,
 ): Emitter {
   const size = length(cross(edge1, edge2)) * (kind === "quad" ? 1 : 0.5);
-  return { kind, position, size, edge1, edge2, radiance, primitive, strength: sum(radiance) * size, bound };
+  return { kind, position, size, edge1, edge2, radiance, primitive, strength: sum(radiance) * size, front, bound };
 }
 
 /** Corner and edges of each face, with edge1 × edge2 pointing out. */

@@ -1,5 +1,5 @@
 import type { ResolvedMaterial } from "../scene/schema";
-import type { Emitter, LightKind } from "./emitters";
+import { type Emitter, isEmissive, type LightKind } from "./emitters";
 import type { Primitive, Shape } from "./primitives";
 
 /** Which estimator and sampler to compile; the settings that shape the program. */
@@ -24,7 +24,6 @@ export function deriveFeatures(
   const rough = specular.filter((material) => alphaOf(material) > 0);
   const hasShape = (kind: Shape["kind"]) => primitives.some(({ shape }) => shape.kind === kind);
   const hasLight = (kind: LightKind) => emitters.some((emitter) => emitter.kind === kind);
-  const emits = ({ material, emission }: Primitive) => material === "black" || emission.some((value) => value > 0);
 
   const DIFFUSE = materials.length === 0 || materials.some((material) => material.metallic < 1);
   const SPECULAR = specular.length > 0;
@@ -43,9 +42,9 @@ export function deriveFeatures(
     MULTISCATTER: rough.some((material) => material.multiscatter && material.metallic > 0),
     // Some surface has both.
     LOBES: specular.some((material) => material.metallic < 1),
-    EMISSION: primitives.some(emits),
-    SPHERE_EMITTERS: primitives.some((primitive) => primitive.shape.kind === "sphere" && emits(primitive)),
-    LAMPS: primitives.some(emits) && settings.estimator === "path",
+    EMISSION: primitives.some(isEmissive),
+    SPHERE_EMITTERS: primitives.some((primitive) => primitive.shape.kind === "sphere" && isEmissive(primitive)),
+    LAMPS: primitives.some(isEmissive) && settings.estimator === "path",
     LIGHTS: emitters.length > 0,
     SPHERE_LIGHTS: hasLight("sphere"),
     QUAD_LIGHTS: hasLight("quad"),
@@ -53,19 +52,13 @@ export function deriveFeatures(
     POINT_LIGHTS: hasLight("point"),
     MANY_LIGHTS: emitters.length > 1 && settings.estimator === "path",
     // Of those, some shine to one side only.
-    FLAT_LIGHTS: emitters.some((emitter) => isFlat(emitter, primitives)),
+    FLAT_LIGHTS: emitters.some(({ front }) => front !== undefined),
     ONE_LIGHT_KIND: new Set(emitters.map((emitter) => emitter.kind)).size === 1,
     ENVIRONMENT: hasEnvironment,
     SOBOL: settings.sampler === "sobol",
     UNIFORM: settings.estimator === "uniform",
     MANY_LIGHT_SAMPLES: settings.lightSamples > 1,
   };
-}
-
-/** Whether an emitter is a flat primitive, not a face of a box. */
-export function isFlat({ primitive }: Emitter, primitives: readonly Primitive[]): boolean {
-  const kind = primitive === undefined ? undefined : primitives[primitive]!.shape.kind;
-  return kind === "quad" || kind === "triangle";
 }
 
 /** Spheres that are better measured from their surface than from their centre. */

@@ -6,15 +6,18 @@ import { Rate } from "./rates";
 import type { Settings } from "./settings";
 import type { Stats } from "./stats";
 
+// Presented this soon again, it is the same frame.
+const SAME_FRAME_MS = 1;
 // Share of a slice's time by which one may be early to ask whether it is done.
 const EARLY = 0.1;
 
 /** A slice under way. Times as of `performance.now()`. */
 export type Submit = {
   readonly at: number;
-  /** When to begin asking whether it is done, and when it should be. */
+  /** How long it should take. */
+  readonly ms: number;
+  /** When to begin asking whether it is done. */
   readonly wakeAt: number;
-  readonly doneAt: number;
 };
 
 /** Keeps the stats up to date, from what the device reports. */
@@ -26,8 +29,9 @@ export class Meter {
   readonly #pathRate = new Rate();
   readonly #rayRate = new Rate();
   #presentedAt: number | undefined;
-  /** When the device was last known to finish a submit, and when it should finish all there are. */
+  /** When the device was last known to finish a submit, how long all others should take, and when it should be done. */
   #finishedAt = 0;
+  #queuedMs = 0;
   #freeAt = 0;
 
   constructor(adapter: string) {
@@ -69,6 +73,7 @@ export class Meter {
   /** A frame is being presented. */
   countFrame(): void {
     const now = performance.now();
+    if (this.#presentedAt !== undefined && now - this.#presentedAt < SAME_FRAME_MS) return;
     if (this.#presentedAt !== undefined) this.#frameRate.observe(1, (now - this.#presentedAt) / 1000);
     this.#presentedAt = now;
     this.stats.fps = this.#frameRate.perSecond;
@@ -79,16 +84,17 @@ export class Meter {
   submit(slice: Slice, width: number): Submit {
     const at = performance.now();
     const ms = this.pace.predictMs(slice, width);
-    const doneAt = Math.max(at, this.#freeAt) + ms;
-    this.#freeAt = doneAt;
-    return { at, wakeAt: doneAt - EARLY * ms, doneAt };
+    this.#queuedMs += ms;
+    this.#freeAt = Math.max(at, this.#freeAt) + ms;
+    return { at, ms, wakeAt: this.#freeAt - EARLY * ms };
   }
 
   /** It is done. Returns the milliseconds since the device could begin with it. */
-  finish({ at, doneAt }: Submit): number {
+  finish({ at, ms }: Submit): number {
     const startedAt = Math.max(at, this.#finishedAt);
     this.#finishedAt = performance.now();
-    this.#freeAt += this.#finishedAt - doneAt;
+    this.#queuedMs -= ms;
+    this.#freeAt = this.#finishedAt + this.#queuedMs;
     return this.#finishedAt - startedAt;
   }
 

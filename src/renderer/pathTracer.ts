@@ -1,17 +1,17 @@
 import { type CompiledScene, compileScene } from "../compile/compileScene";
 import { linkModule } from "../compile/linkProgram";
 import { WebGpuError } from "../errors";
-import { adapterName, lossError, requestDevice } from "../gpu/device";
+import { adapterName, requestDevice } from "../gpu/device";
 import { ErrorPass } from "../gpu/errorPass";
 import { Film } from "../gpu/film";
 import { createComputePipeline } from "../gpu/pipelines";
-import { Readback } from "../gpu/readback";
 import { type FrameUniforms, TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
 import { Baked } from "./baked";
 import { cameraBasis, lampPixels, rayStart } from "./camera";
 import { Display, readPicture, type View } from "./display";
+import { InFlight } from "./inFlight";
 import { Meter } from "./meter";
 import { createProgram, type Program, programKey } from "./program";
 import { Progress } from "./progress";
@@ -28,9 +28,9 @@ export type PathTracerOptions = {
   readonly settings?: Partial<Settings>;
 };
 
-/** A scene and where it is seen from. */
 type SharedUniforms = Omit<FrameUniforms, "half" | "firstSample" | "sampleCount" | "firstRow" | "endRow">;
 
+/** A scene and where it is seen from. */
 type Shown = { readonly scene: ResolvedScene; readonly camera: ResolvedCamera };
 
 // Milliseconds of work in one submit: while a page renders, and while nobody watches.
@@ -38,14 +38,10 @@ const FRAME_BUDGET_MS = 12;
 const BATCH_BUDGET_MS = 100;
 // Samples per pixel in one dispatch, while nobody watches. More than this gains little.
 const BATCH_SAMPLES = 32;
-// Submits under way at once: with a second one waiting, the device does not idle until the next animation frame.
-const MAX_IN_FLIGHT = 2;
 // A scene that has not changed for this long, in milliseconds, or is to take this many samples at once, is worth compiling
 // with its values as constants.
 const REST_MS = 500;
 const BAKE_SAMPLES = 16;
-// Work on a lost device fails up to this many milliseconds before the device says that it is lost.
-const LOSS_NOTICE_MS = 100;
 // Milliseconds between two estimates of the error.
 const ERROR_INTERVAL_MS = 200;
 
@@ -58,7 +54,7 @@ export class PathTracer {
   readonly device: GPUDevice;
   readonly #ownsDevice: boolean;
   readonly #errorPipeline: GPUComputePipeline;
-  readonly #readbacks: readonly Readback[];
+  readonly #inFlight: InFlight;
   readonly #meter: Meter;
 
   #scene: ResolvedScene;
@@ -78,8 +74,6 @@ export class PathTracer {
 
   /** The film must be cleared before the next sample, because what it shows has changed. */
   #stale = true;
-  /** The submits under way, by the readback each reports through. */
-  readonly #working = new Map<Readback, Promise<void>>();
   /** The program being compiled, and what will be shown with it; the newest only. */
   #compiling: Promise<void> | undefined;
   #pending: Shown | undefined;
@@ -135,7 +129,7 @@ export class PathTracer {
     this.#compiled = compiled;
     this.#program = program;
     this.#errorPipeline = errorPipeline;
-    this.#readbacks = Array.from({ length: MAX_IN_FLIGHT }, () => new Readback(device));
+    this.#inFlight = new InFlight(device);
     this.#film = new Film(device, width, height);
     this.#progress = new Progress(height);
     this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
@@ -232,19 +226,22 @@ export class PathTracer {
    * @throws {WebGpuError} if this or earlier work on the device failed.
    */
   async sample(count: number): Promise<void> {
-    while (this.#working.size > 0 || this.#compiling) await Promise.all([...this.#working.values(), this.#compiling]);
+    while (!this.#inFlight.isEmpty || this.#compiling) await Promise.all([this.#inFlight.all(), this.#compiling]);
     if (this.#disposed) return;
     if (this.#stale) this.#restart();
     if (count >= BAKE_SAMPLES) await this.compile();
-    for (let taken = 0; taken < count && !this.stats.converged && !this.#disposed; ) {
+    for (let taken = 0; taken < count && !this.stats.converged && !this.#disposed && this.#failure === undefined; ) {
       const wanted = Math.min(count - taken, this.#settings.maxSamples - this.#progress.samples);
       if (wanted <= 0) break;
+      if (this.#inFlight.isFull) {
+        await this.#inFlight.any();
+        continue;
+      }
       const before = this.#progress.samples;
       this.#work(BATCH_BUDGET_MS, BATCH_SAMPLES, wanted, true).catch(this.#fail);
       taken += Math.max(this.#progress.samples - before, 0);
-      if (this.#working.size === MAX_IN_FLIGHT) await Promise.race(this.#working.values());
     }
-    await Promise.all(this.#working.values());
+    await this.#inFlight.all();
     if (this.#failure !== undefined) throw this.#failure;
   }
 
@@ -278,7 +275,7 @@ export class PathTracer {
    */
   frame(): boolean {
     if (this.#failure !== undefined) throw this.#failure;
-    if (this.#disposed || this.#working.size === MAX_IN_FLIGHT) return false;
+    if (this.#disposed || this.#inFlight.isFull) return false;
     // Finish the first pass of what is shown before following a moving camera, or a slow adapter would never show any.
     const isFirstPass = this.#progress.samples === 0 && !this.#progress.isBalanced;
     if (this.#stale && !isFirstPass) this.#restart();
@@ -299,7 +296,7 @@ export class PathTracer {
     if (this.#disposed || this.#progress.samples === 0) return false;
     this.#meter.countFrame();
     if (!(this.#display instanceof Display)) {
-      this.#display ??= this.#createDisplay(context.getConfiguration()!.format);
+      this.#display ??= this.#createDisplay(context.getConfiguration()!.format).catch(this.#fail);
       return false;
     }
     this.#display.draw(this.#film, context.getCurrentTexture(), view);
@@ -314,7 +311,7 @@ export class PathTracer {
     this.#trace.dispose();
     this.#baked.drop();
     this.#errorPass.dispose();
-    for (const readback of this.#readbacks) readback.dispose();
+    this.#inFlight.dispose();
     this.#film.dispose();
     if (this.#display instanceof Display) this.#display.dispose();
     if (this.#ownsDevice) this.device.destroy();
@@ -382,11 +379,15 @@ export class PathTracer {
    * instead of polling. There must be a free readback.
    */
   #work(budgetMs: number, maxCount: number, remaining: number, patient: boolean): Promise<void> {
-    const readback = this.#readbacks.find((candidate) => !this.#working.has(candidate))!;
+    const readback = this.#inFlight.freeReadback;
     const { width } = this;
     const progress = this.#progress;
     const samplesBefore = progress.samples;
-    const slice = progress.next(this.#meter.pace.rowsFor(budgetMs, width, maxCount), maxCount, remaining);
+    const slice = progress.next(
+      this.#meter.pace.rowsFor(budgetMs, width, Math.min(maxCount, remaining)),
+      maxCount,
+      remaining,
+    );
     progress.finish(slice);
     const now = performance.now();
     const samples = progress.samples;
@@ -404,26 +405,13 @@ export class PathTracer {
     this.device.queue.submit([encoder.finish()]);
 
     const submit = this.#meter.submit(slice, width);
-    const report = async () => {
-      // Dawn in Node spins while a promise is pending, which takes a core from a software adapter: sleep first.
-      if (patient) await sleep(submit.wakeAt - submit.at);
-      if (this.#disposed) return;
-      const values = await readback.read(wantsError);
-      const wallMs = this.#meter.finish(submit);
-      this.#meter.observe(slice, width, values, wallMs);
+    const waitMs = patient ? submit.wakeAt - submit.at : 0;
+    return this.#inFlight.add(readback, waitMs, wantsError, (report) => {
+      this.#meter.observe(slice, width, report, this.#meter.finish(submit));
       if (progress !== this.#progress) return; // what it added is gone
-      this.#meter.count(samples, values);
+      this.#meter.count(samples, report);
       this.#meter.updateConverged(this.#settings);
-    };
-    const working = report()
-      .catch(async (error: unknown) => {
-        if (this.#disposed) return;
-        const loss = await Promise.race([this.device.lost.then(lossError), sleep(LOSS_NOTICE_MS)]);
-        throw loss ?? error;
-      })
-      .finally(() => this.#working.delete(readback));
-    this.#working.set(readback, working);
-    return working;
+    });
   }
 
   /** What the dispatches of one accumulation have in common. */
@@ -435,8 +423,4 @@ export class PathTracer {
     const lamps = lampPixels(this.#compiled.lamps, basis, width, height);
     return { ...view, ...lamps, size: [width, height], seed, maxBounces, lightSamples };
   }
-}
-
-function sleep(ms: number): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve, ms));
 }

@@ -89,9 +89,13 @@ fn bsdfExpect(bsdf: Bsdf, wo: vec3f, wi: vec3f, size: f32) -> f32 {
   @if(ROUGH) {
     // Microfacets turn by half the angle: the light widens their distribution. The least width keeps weights finite.
     let alpha = sqrt(max(bsdf.alpha * bsdf.alpha + 0.25 * size * size, 1e-6));
-    let D = ggxD(normalize(wo + wi), alpha);
-    let glossy = D * ggxVisibility(max(wo.z, LEAST_COSINE), cosI, alpha);
-    return cosI * (luminance(bsdf.diffuse) * INV_PI + luminance(bsdf.F0) * glossy);
+    let h = wo + wi;
+    let wm = select(vec3f(0.0, 0.0, 1.0), normalize(h), dot(h, h) > 1e-30);
+    var glossy = ggxD(wm, alpha) * ggxVisibility(max(wo.z, LEAST_COSINE), cosI, alpha);
+    @if(MIRROR) glossy = select(0.0, glossy, bsdf.alpha > 0.0); // light samples never find a mirror's direction
+    // Even black metal reflects at grazing angles.
+    let specular = max(luminance(bsdf.F0), 0.01 * bsdf.f90);
+    return cosI * (luminance(bsdf.diffuse) * INV_PI + specular * glossy);
   }
 }
 

@@ -9,7 +9,7 @@ import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::frame::{toLocal, toWorld};
 import package::lamps::inLampWindow;
 import package::lights::{lightShareOf, sampleLight};
-import package::ray::{Ray, makeRay};
+import package::ray::makeRay;
 import package::sampler::{Sampler, independent, point, subsample};
 import package::scene::{closestHit, environment, occluded};
 import package::surface::{Surface, surfaceAt};
@@ -27,8 +27,8 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   // look for what emits: see lamps.wgsl.
   var pdf = select(0.0, -1.0, inLampWindow(pixel));
   // Where the ray started, and the weight of all lights there.
-  var last: Surface;
-  var totalWeight = 1.0;
+  @if(MANY_LIGHTS) var last: Surface;
+  @if(MANY_LIGHTS) var totalWeight = 1.0;
   for (var depth = 0u; ; depth++) {
     let hit = closestHit(ray);
     countRay();
@@ -48,8 +48,8 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     @if(LIGHTS) {
       let direct = directLight(surface, samples, dimensionAt(depth, LIGHT));
       L += beta * direct.rgb;
-      last = surface;
-      totalWeight = direct.a;
+      @if(MANY_LIGHTS) last = surface;
+      @if(MANY_LIGHTS) totalWeight = direct.a;
     }
 
     var choice = vec2f(0.0);

@@ -41,7 +41,7 @@ fn point(samples: Sampler, dimension: u32) -> vec2f {
 
 // A pseudo-random number in [0, 1), a third as costly as a point, for decisions that gain nothing from good points.
 fn independent(samples: Sampler, dimension: u32) -> f32 {
-  return unitInterval(pcg3d(vec3u(samples.seed, samples.index, dimension)).x);
+  return unitInterval(pcg3d(vec3u(samples.seed, dimension | 0x40000000u, samples.index)).x);
 }
 
 // Sampler for the i-th of `count` points that one sample takes in the same dimension.

@@ -14,8 +14,8 @@ struct Material {
   diffuse: vec3f,
   f0: f32,
   emission: vec3f,
-  // Density of light sampling: per area on flat emitters, of the choice of light on spheres; 0 if never sampled. Where there
-  // are many lights, to be multiplied by lightShareOf() and divided by the weight of all lights.
+  // Density of light sampling: per area on flat emitters, 1 on spheres; 0 if never sampled. Where there are many lights, times
+  // the light's strength: to be multiplied by lightShareOf() and divided by the weight of all lights.
   lightDensity: f32,
   f90: f32,
   // 1 for the masking "schlick-beckmann", else 0.

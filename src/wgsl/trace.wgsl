@@ -36,7 +36,8 @@ fn trace(@builtin(global_invocation_id) id: vec3u) {
   if (badSamples > 0u) { atomicAdd(&counters.badSamples, badSamples); }
 }
 
-// Adds what the same paths leave out: see lamps.wgsl. One invocation per pixel of the lamps' window.
+// Adds what the same paths leave out: see lamps.wgsl. One invocation per pixel of the lamps' window. Where paths have been
+// dropped, which is a bug anyway, lamps come out that much too bright.
 @if(LAMPS)
 @compute @workgroup_size(8, 8)
 fn traceLamps(@builtin(global_invocation_id) id: vec3u) {

@@ -6,7 +6,7 @@ import package::constants::NONE;
 import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::frame::{toLocal, toWorld};
 import package::lights::sampleLight;
-import package::ray::{Ray, makeRay};
+import package::ray::makeRay;
 import package::sampler::{Sampler, point, subsample};
 import package::scene::{closestHit, environment, occluded};
 import package::surface::{Surface, surfaceAt};

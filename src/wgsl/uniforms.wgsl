@@ -1,4 +1,4 @@
-// What changes from dispatch to dispatch. Mirrored by FRAME in renderer/frameUniforms.ts.
+// What changes from dispatch to dispatch. Mirrored by FRAME in compile/layouts.ts.
 
 struct FrameUniforms {
   // Centre of the plane where camera rays start, in the compiled scene's coordinates.

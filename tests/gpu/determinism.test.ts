@@ -190,6 +190,17 @@ describe("accumulation", () => {
     tracer.dispose();
   });
 
+  test("counts every sample once, in whatever portions they are asked for", async () => {
+    const tracer = await createTracer(SPHERES, {});
+    let total = 0;
+    for (const count of [1, 2, 1, 5, 8, 1, 16, 3, 40, 1, 2, 7]) {
+      await tracer.sample(count);
+      total += count;
+      expect(tracer.stats.samples).toBe(total);
+    }
+    tracer.dispose();
+  });
+
   test("stops at targetError, seed 5", async () => {
     const tracer = await createTracer(SPHERES, { targetError: 0.1 });
     await tracer.sample(4096);

@@ -1,16 +1,18 @@
 import { describe, expect, test } from "vitest";
 import type { Light, Material, Scene, SceneObject } from "../../src/scene/schema";
 import { renderSeeds, seedsFrom } from "../support/device";
+import { runProbe } from "../support/probe";
 import { createRandom } from "../support/random";
 import { measurePoint } from "../support/statistics";
 
 const SIZE = [48, 48] as const;
-const SEEDS = seedsFrom(1, 4);
-const SAMPLES = 64;
+const SEEDS = seedsFrom(1, 8);
+const SAMPLES = 128;
 
 const FLOORS: Readonly<Record<string, Material>> = {
   "a diffuse floor": { baseColor: [0.7, 0.6, 0.5], ior: 1 },
-  "a glossy floor": { baseColor: [0.7, 0.6, 0.5], metallic: 0.5, roughness: 0.3 },
+  "a glossy floor": { baseColor: [0.7, 0.6, 0.5], metallic: 0.5, roughness: 0.5 },
+  "black metal, which reflects at grazing angles only": { baseColor: [0, 0, 0], metallic: 1, roughness: 0.6 },
 };
 
 /** Lights of every kind over a floor, near and far, one of them below it and some turned away. */
@@ -29,7 +31,7 @@ function litScene(floor: Material, seed: number): Scene {
   ];
   const lights: Light[] = [
     { type: "sphere", position: around(2), radius: 0.3, power: [50, 60, 70] },
-    { type: "sphere", position: around(0), radius: 0.1, power: [5, 6, 7] }, // half below the floor
+    { type: "sphere", position: around(0.4), radius: 0.1, power: [5, 6, 7] },
     { type: "point", position: around(-1), power: [30, 30, 30] },
     { type: "point", position: around(2), power: [40, 30, 20] },
     { type: "point", position: around(3), power: [0, 0, 0] },
@@ -43,7 +45,7 @@ function litScene(floor: Material, seed: number): Scene {
   };
 }
 
-describe.each(Object.keys(FLOORS))("twelve lights of every kind over %s, seed 31", (name) => {
+describe.each(Object.keys(FLOORS))("ten lights of every kind over %s, seed 31", (name) => {
   const scene = litScene(FLOORS[name]!, 31);
   const render = (settings: object) => renderSeeds(scene, { size: SIZE, samples: SAMPLES, seeds: SEEDS, settings });
   const meanOf = (renders: Awaited<ReturnType<typeof render>>) => {
@@ -53,14 +55,49 @@ describe.each(Object.keys(FLOORS))("twelve lights of every kind over %s, seed 31
     return { mean, standardError: Math.sqrt(variance / means.length) };
   };
 
+  let baselineOnce: ReturnType<typeof render> | undefined;
+
   test.each([1, 4])("give as much with %d light samples as the baseline finds", async (lightSamples) => {
     const ours = await render({ lightSamples });
     for (const { stats } of ours) expect(stats.badSamples).toBe(0);
-    const [path, baseline] = [meanOf(ours), meanOf(await render({ estimator: "uniform", lightSamples: 16 }))];
+    baselineOnce ??= render({ estimator: "uniform", lightSamples: 16 });
+    const [path, baseline] = [meanOf(ours), meanOf(await baselineOnce)];
     const sigma = Math.hypot(path.standardError, baseline.standardError);
-    // Four values give a standard error that is itself uncertain: Student's t with 3 + 3 degrees of freedom is below 5.96
-    // with probability 0.999.
-    expect(Math.abs(path.mean - baseline.mean)).toBeLessThan(5.96 * sigma);
-    expect(sigma).toBeLessThan(0.02 * baseline.mean); // or the comparison would say nothing
+    console.log(`${name}: ${path.mean.toFixed(5)} against ${baseline.mean.toFixed(5)} ± ${sigma.toExponential(1)}`);
+    // Eight values give a standard error that is itself uncertain: Student's t with 7 degrees of freedom is below 5.41 with
+    // probability 0.999.
+    expect(Math.abs(path.mean - baseline.mean)).toBeLessThan(5.41 * sigma);
+    expect(sigma).toBeLessThan(0.005 * baseline.mean); // or the comparison would say nothing
   });
+});
+
+test("what a light is expected to give is finite, leaves mirrors out, and is nothing from below only", async () => {
+  const cases = [
+    // wi, size, alpha, diffuse, F0
+    { wi: [0, 0, 1], size: 0.1, alpha: 0.2, diffuse: 0.5, F0: 0.04 },
+    { wi: [-0.6, 0, -0.8], size: 0.9, alpha: 0.2, diffuse: 0.5, F0: 0.04 }, // −wo, but some of it is above
+    { wi: [-0.6, 0, 0.8], size: 0, alpha: 0, diffuse: 0.5, F0: 0.04 }, // the mirror's direction
+    { wi: [0.6, 0, 0.8], size: 0, alpha: 1e-3, diffuse: 0, F0: 0 }, // black metal
+    { wi: [0, 0.8, -0.6], size: 0.5, alpha: 0.2, diffuse: 0.5, F0: 0.04 },
+  ];
+  const words = await runProbe({
+    wgsl: `
+      import package::bsdf::{Bsdf, bsdfExpect};
+      fn probe(i: u32) {
+        let wi = bitcast<vec4f>(inputs[2u * i]);
+        let surface = bitcast<vec4f>(inputs[2u * i + 1u]);
+        let bsdf = Bsdf(vec3f(surface.y), vec3f(surface.z), surface.z, 1.0, surface.x, 0.0, 0.5, vec3f(1.0));
+        let expected = bsdfExpect(bsdf, vec3f(0.6, 0.0, 0.8), wi.xyz, wi.w);
+        outputs[i] = vec4u(bitcast<u32>(expected), 0u, 0u, 0u);
+      }`,
+    conditions: { DIFFUSE: true, SPECULAR: true, ROUGH: true, MIRROR: true, SMITH: true, MANY_LIGHTS: true },
+    modules: { "./scene.wgsl": "" },
+    count: cases.length,
+    inputs: new Float32Array(cases.flatMap(({ wi, size, alpha, diffuse, F0 }) => [...wi, size, alpha, diffuse, F0, 0])),
+    outputRows: cases.length,
+  });
+  const expected = cases.map((_, i) => new Float32Array(words.buffer)[4 * i]!);
+  expect(expected.every(Number.isFinite)).toBe(true);
+  expect(expected.map((value) => value > 0)).toEqual([true, true, true, true, false]);
+  expect(expected[2]).toBeCloseTo((0.5 * 0.8) / Math.PI, 6);
 });

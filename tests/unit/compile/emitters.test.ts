@@ -44,13 +44,33 @@ describe("strength and bound", () => {
   ];
   const lights = [sphereOfLight(7), pointOfLight(11)];
 
-  test("strength is power over π for flat emitters, over 4π for spheres and points", () => {
+  test("strengths are intensities, in proportion to the strongest's", () => {
     const emitters = emit(objects, lights);
     expect(emitters).toHaveLength(1 + 1 + 1 + 6 + 1 + 1);
-    for (const emitter of emitters) {
+    const intensities = emitters.map((emitter) => {
       const isFlat = emitter.kind === "quad" || emitter.kind === "triangle";
-      expect(emitter.strength).toBeCloseTo(powerOf(emitter) / (isFlat ? Math.PI : 4 * Math.PI), 9);
-    }
+      return powerOf(emitter) / (isFlat ? Math.PI : 4 * Math.PI);
+    });
+    const strongest = Math.max(...intensities);
+    expect(emitters.map(({ strength }) => strength)).toEqual(intensities.map((i) => expect.closeTo(i / strongest, 12)));
+  });
+
+  test("strengths stay finite where radiance times area would not be, in f32", () => {
+    const huge = quad({ corner: [0, 0, 0], edge1: [1e18, 0, 0], edge2: [0, 1e18, 0], material: "blinding" });
+    const scene = parseScene(sceneOf([huge], [pointOfLight(1)], { blinding: { emission: [1e18, 1e18, 1e18] } }));
+    const emitters = emittersOf(scene, primitivesOf(scene, [0, 0, 0]), [0, 0, 0]);
+    expect(emitters.every(({ strength }) => strength >= 0 && strength <= 1)).toBe(true);
+  });
+
+  test("only quads and triangles have a front", () => {
+    expect(emit(objects, lights).map(({ front }) => front !== undefined)).toEqual([
+      true,
+      true,
+      false,
+      ...Array(6).fill(false),
+      false,
+      false,
+    ]);
   });
 
   test("every emitter lies in its bound, and a box's faces share one", () => {
@@ -85,8 +105,9 @@ describe("power", () => {
   });
 
   test("a sphere light's radius changes no strength", () => {
-    const strength = (radius: number) => emit([], [sphereOfLight(60, radius)])[0]!.strength;
-    expect(strength(0.01)).toBeCloseTo(strength(1), 12);
+    const strength = (radius: number) => emit([], [sphereOfLight(60, radius), pointOfLight(90)])[0]!.strength;
+    expect(strength(0.01)).toBeCloseTo(60 / 90, 12);
+    expect(strength(1)).toBeCloseTo(60 / 90, 12);
   });
 
   test("a point light's intensity is power / 4π", () => {

@@ -114,8 +114,8 @@ describe("the density of light sampling", () => {
       [0, 2, 0],
     ] as const;
     expect(densityOf(triangle({ vertices, material: "it" }))).toBe(1 / 2);
-    // Six lights: times the strength, 3 · 24.
-    expect(densityOf(box({ center: [0, 0, 0], size: [2, 2, 2], material: "it" }))).toBeCloseTo(3, 7);
+    // Six lights, each as strong as the strongest: 6 over 24 m².
+    expect(densityOf(box({ center: [0, 0, 0], size: [2, 2, 2], material: "it" }))).toBeCloseTo(1 / 4, 7);
   });
 
   test("is 1 on a lone sphere, whose cone is sampled", () => {
@@ -137,8 +137,9 @@ describe("the density of light sampling", () => {
 
   test("holds the light's strength where there are several, for the shader to weigh", () => {
     const point = pointLight({ position: [0, 9, 0], power: [5, 5, 5] });
-    expect(pack([QUAD], [point], glow).materials[0]!.lightDensity).toBeCloseTo(3, 7); // 3 · 8 m² / 8 m²
-    expect(pack([BALL], [point], glow).materials[0]!.lightDensity).toBeCloseTo(3 * Math.PI * 0.5 ** 2, 6);
+    expect(pack([QUAD], [point], glow).materials[0]!.lightDensity).toBe(1 / 8); // the strongest, over 8 m²
+    const stronger = pointLight({ position: [0, 9, 0], power: [4 * Math.PI, 4 * Math.PI, 4 * Math.PI] });
+    expect(pack([BALL], [stronger], glow).materials[0]!.lightDensity).toBeCloseTo(Math.PI * 0.5 ** 2, 6);
   });
 });
 
