@@ -1,23 +1,22 @@
 import { type Adapter, openAdapter } from "./adapter";
 import { copyText } from "./copying";
+import { OneAtATime } from "./oneAtATime";
 import { element } from "./page";
 import { RaceView } from "./raceView";
 import { resultsText } from "./results";
-import { Stage } from "./stage";
 import { listSettings, TableView } from "./tableView";
 
 listSettings();
-try {
-  start(await openAdapter());
-} catch (error) {
+const adapter = await openAdapter().catch((error: unknown) => {
   document.body.classList.add("without-adapter");
   element("#adapter").textContent = "none found";
   fail("This page measures the adapter it is looked at with, and here there is none.", error);
-}
+});
+if (adapter) start(adapter);
 
 function start(adapter: Adapter): void {
   describe(adapter);
-  const stage = new Stage();
+  const stage = new OneAtATime();
   const report = (error: unknown) => fail("The measurement broke off.", error);
   const race = new RaceView(adapter, stage, report);
   const table = new TableView(adapter, stage, report);

@@ -1,31 +1,7 @@
 import { PathTracer, type Scene } from "rt-viewer";
 import { advance, startOver, warmUp } from "./advance";
+import type { OriginalSetting } from "./originalSettings";
 import { errorOfPair } from "./statistics";
-
-/** How the original's author set it up for one line of his table, and what it then reported. */
-export type OriginalSetting = {
-  /** Per pixel and frame. */
-  readonly rays: number;
-  readonly bounces: number;
-  /** At each hit. */
-  readonly lightSamples: number;
-  /** Frames per second on a GeForce GTX 970, in WebGL. */
-  readonly reported: string;
-};
-
-// biome-ignore format: a table
-export const ORIGINAL_SETTINGS: readonly OriginalSetting[] = [
-  { rays:  5, bounces:  1, lightSamples:  1, reported: "> 60" },
-  { rays: 10, bounces:  1, lightSamples:  1, reported: "> 60" },
-  { rays: 15, bounces:  1, lightSamples:  1, reported: "> 60" },
-  { rays: 20, bounces:  1, lightSamples:  1, reported: "> 60" },
-  { rays: 10, bounces:  5, lightSamples:  1, reported: "> 60" },
-  { rays: 15, bounces:  5, lightSamples:  1, reported: "30" },
-  { rays: 20, bounces: 10, lightSamples:  1, reported: "27" },
-  { rays: 10, bounces:  5, lightSamples:  5, reported: "30" },
-  { rays: 15, bounces:  5, lightSamples: 10, reported: "20" },
-  { rays: 15, bounces:  5, lightSamples: 15, reported: "14" },
-];
 
 export type Size = { readonly width: number; readonly height: number };
 
@@ -73,9 +49,14 @@ export async function measureFrame(
   }
 }
 
-/** Seconds of one frame, by as many more as a short one needs to be timed well. */
+/** Seconds of one frame, by as many more as a short one needs to be timed well. Each starts from an empty film. */
 async function timed(tracer: PathTracer, rays: number, seconds: number): Promise<number> {
   if (seconds > SHORTEST_S) return seconds;
   const frames = Math.min(MOST_AT_ONCE, Math.ceil(SHORTEST_S / seconds));
-  return (await advance(tracer, rays * (1 + frames), rays / seconds)) / frames;
+  let total = 0;
+  for (let i = 0; i < frames; i++) {
+    await startOver(tracer);
+    total += await advance(tracer, rays);
+  }
+  return total / frames;
 }

@@ -1,11 +1,11 @@
 import type { Adapter } from "./adapter";
 import { count, duration, percent, shortNumber, times } from "./format";
+import type { OneAtATime } from "./oneAtATime";
 import { element } from "./page";
 import { type Curve, Plot } from "./plot";
 import { ESTIMATORS, type Estimator, type Lane, LIMIT_S, Race } from "./race";
 import { loadReference, type Reference } from "./reference";
 import { speedOf } from "./results";
-import type { Stage } from "./stage";
 import { efficiency, type Lead, lastKnown, leadOf } from "./statistics";
 
 const LABELS = {
@@ -23,7 +23,7 @@ const BUTTON: Record<State, string> = { idle: "Run", running: "Stop", stopped: "
 /** The race on the page: its controls, pictures, plot and figures. */
 export class RaceView {
   readonly #adapter: Adapter;
-  readonly #stage: Stage;
+  readonly #stage: OneAtATime;
   readonly #report: (error: unknown) => void;
   readonly #button = element<HTMLButtonElement>("#run");
   readonly #scenes = element<HTMLFieldSetElement>("#scenes");
@@ -35,7 +35,7 @@ export class RaceView {
   #state: State = "idle";
 
   /** @param report - what to do with an error that ends a race. */
-  constructor(adapter: Adapter, stage: Stage, report: (error: unknown) => void) {
+  constructor(adapter: Adapter, stage: OneAtATime, report: (error: unknown) => void) {
     this.#adapter = adapter;
     this.#stage = stage;
     this.#report = report;

@@ -1,5 +1,6 @@
 import type { Adapter } from "./adapter";
-import type { Frame, OriginalSetting, Size } from "./originalTable";
+import type { OriginalSetting } from "./originalSettings";
+import type { Frame, Size } from "./originalTable";
 import { type Lane, LIMIT_S, type Race } from "./race";
 import { efficiency, type Lead, lastKnown } from "./statistics";
 

@@ -1,18 +1,19 @@
 import type { Scene } from "rt-viewer";
 import type { Adapter } from "./adapter";
 import { percent } from "./format";
-import { frameSize, measureFrame, ORIGINAL_SETTINGS, type Size } from "./originalTable";
+import type { OneAtATime } from "./oneAtATime";
+import { ORIGINAL_SETTINGS } from "./originalSettings";
+import { frameSize, measureFrame, type Size } from "./originalTable";
 import { element } from "./page";
 import { loadReference } from "./reference";
 import type { TableResults, TableRow } from "./results";
-import type { Stage } from "./stage";
 
 const SCENE = "spheres";
 
 /** The original's table on the page, filled in line by line. */
 export class TableView {
   readonly #adapter: Adapter;
-  readonly #stage: Stage;
+  readonly #stage: OneAtATime;
   readonly #report: (error: unknown) => void;
   readonly #size: Size;
   readonly #button = element<HTMLButtonElement>("#measure");
@@ -21,7 +22,7 @@ export class TableView {
   #isRunning = false;
 
   /** @param report - what to do with an error that ends the measurement. */
-  constructor(adapter: Adapter, stage: Stage, report: (error: unknown) => void) {
+  constructor(adapter: Adapter, stage: OneAtATime, report: (error: unknown) => void) {
     this.#adapter = adapter;
     this.#stage = stage;
     this.#report = report;

@@ -1,5 +1,5 @@
 /** Lets one task use the device at a time. */
-export class Stage {
+export class OneAtATime {
   #controller = new AbortController();
   #running: Promise<void> = Promise.resolve();
 

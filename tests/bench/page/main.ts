@@ -1,0 +1,22 @@
+// What the harness calls in the page, as `globalThis.bench`.
+import type { Measure } from "../measurement";
+import { measureEstimates, measureFrames, measureOurs } from "../ours";
+
+const functions = {
+  measureOurs,
+  measureEstimates,
+  measureFrames,
+  /** Loaded when it is called: rt-viewer's own figures are taken in a page that holds nothing else. */
+  async measureThreeGpuPathTracer(...args: Parameters<Measure>) {
+    const { measure } = await import("../rivals/threeGpuPathTracer/measure");
+    return measure(...args);
+  },
+};
+
+declare global {
+  var bench: PageBench;
+}
+
+export type PageBench = typeof functions;
+
+globalThis.bench = functions;
