@@ -19,10 +19,17 @@ test("a constant rate stays what it is", () => {
 
 test.each([0.01, 0.25])("a change is averaged over about a second, measured every %d s", (seconds) => {
   const rate = new Rate();
-  rate.observe(10 * seconds, seconds);
+  for (let t = 0; t < 40; t += seconds) rate.observe(10 * seconds, seconds);
   for (let t = 0; t < 1 - 1e-9; t += seconds) rate.observe(20 * seconds, seconds);
   // 1/e of the old rate is left after one second, however often it was measured.
   expect(rate.perSecond).toBeCloseTo(20 - 10 / Math.E, 9);
+});
+
+test("a short first measurement does not outweigh what follows", () => {
+  const rate = new Rate();
+  rate.observe(1, 0.001);
+  rate.observe(1e6, 0.1);
+  expect(rate.perSecond).toBeGreaterThan(0.98e7);
 });
 
 test("no time passed is no measurement", () => {
