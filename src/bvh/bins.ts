@@ -17,7 +17,7 @@ export type Split = {
 const MOST_BINS = 16;
 // Fewer suffice for few: 16 there are a fiftieth of the time for a thousandth of the cost.
 const FEWER_BINS = 8;
-const FEW = 32;
+const FEW = 64;
 
 // A bin has the words of a box, then how many primitives its centroids stand for.
 const BIN_WORDS = 8;
@@ -32,9 +32,16 @@ const LARGEST = GRID;
 /**
  * The best plane by the SAH, of those between the bins into which the centroids' ranges are divided.
  *
- * @param notable - of the first so many primitives each counts once, of the others `weight` times.
+ * @param weighted - of the first so many primitives each counts `weight` times, of the others once.
  */
-export function findBinnedSplit(slots: Slots, first: number, end: number, notable: number, weight: number, split: Split) {
+export function findBinnedSplit(
+  slots: Slots,
+  first: number,
+  end: number,
+  weighted: number,
+  weight: number,
+  split: Split,
+) {
   measureCentroids(slots, first, end);
   const perAxis = end - first <= FEW ? FEWER_BINS : MOST_BINS;
   split.axis = -1;
@@ -45,7 +52,7 @@ export function findBinnedSplit(slots: Slots, first: number, end: number, notabl
     scales[axis] = range > 0 ? (perAxis * LAST_BIN) / range : 0;
     if (range > split.range) split.range = range;
   }
-  fillBins(slots, first, end, notable, weight, perAxis);
+  fillBins(slots, first, end, weighted, weight, perAxis);
   for (let axis = 0; axis < 3; axis++) {
     if (scales[axis]! > 0) findPlane(axis, perAxis, split);
   }
@@ -99,14 +106,14 @@ function fillBins(
   { words }: Slots,
   first: number,
   end: number,
-  notable: number,
+  weighted: number,
   weight: number,
   perAxis: number,
 ): void {
   bins.fill(LARGEST, 0, 3 * perAxis * BIN_WORDS);
   for (let bin = 0; bin < 3 * perAxis; bin++) bins[bin * BIN_WORDS + COUNT_WORD] = 0;
   const record = WORDS;
-  const others = record * (first + notable);
+  const unweighted = record * (first + weighted);
   const lowX = lows[0]!;
   const lowY = lows[1]!;
   const lowZ = lows[2]!;
@@ -120,22 +127,51 @@ function fillBins(
     const d = words[at + 3]!;
     const e = words[at + 4]!;
     const f = words[at + 5]!;
-    const count = at < others ? 1 : weight;
-    grow((((a - d - lowX) | 0) * scaleX) | 0, a, b, c, d, e, f, count);
-    grow(perAxis + ((((b - e - lowY) | 0) * scaleY) | 0), a, b, c, d, e, f, count);
-    grow(2 * perAxis + ((((c - f - lowZ) | 0) * scaleZ) | 0), a, b, c, d, e, f, count);
+    const count = at < unweighted ? weight : 1;
+    let difference = 0;
+    const inX = (((((a - d) | 0) - lowX) * scaleX) | 0) << 3;
+    difference = (a - bins[inX]!) | 0;
+    bins[inX]! += difference & (difference >> 31);
+    difference = (b - bins[inX + 1]!) | 0;
+    bins[inX + 1]! += difference & (difference >> 31);
+    difference = (c - bins[inX + 2]!) | 0;
+    bins[inX + 2]! += difference & (difference >> 31);
+    difference = (d - bins[inX + 3]!) | 0;
+    bins[inX + 3]! += difference & (difference >> 31);
+    difference = (e - bins[inX + 4]!) | 0;
+    bins[inX + 4]! += difference & (difference >> 31);
+    difference = (f - bins[inX + 5]!) | 0;
+    bins[inX + 5]! += difference & (difference >> 31);
+    bins[inX + COUNT_WORD]! += count;
+    const inY = (perAxis + (((((b - e) | 0) - lowY) * scaleY) | 0)) << 3;
+    difference = (a - bins[inY]!) | 0;
+    bins[inY]! += difference & (difference >> 31);
+    difference = (b - bins[inY + 1]!) | 0;
+    bins[inY + 1]! += difference & (difference >> 31);
+    difference = (c - bins[inY + 2]!) | 0;
+    bins[inY + 2]! += difference & (difference >> 31);
+    difference = (d - bins[inY + 3]!) | 0;
+    bins[inY + 3]! += difference & (difference >> 31);
+    difference = (e - bins[inY + 4]!) | 0;
+    bins[inY + 4]! += difference & (difference >> 31);
+    difference = (f - bins[inY + 5]!) | 0;
+    bins[inY + 5]! += difference & (difference >> 31);
+    bins[inY + COUNT_WORD]! += count;
+    const inZ = (2 * perAxis + (((((c - f) | 0) - lowZ) * scaleZ) | 0)) << 3;
+    difference = (a - bins[inZ]!) | 0;
+    bins[inZ]! += difference & (difference >> 31);
+    difference = (b - bins[inZ + 1]!) | 0;
+    bins[inZ + 1]! += difference & (difference >> 31);
+    difference = (c - bins[inZ + 2]!) | 0;
+    bins[inZ + 2]! += difference & (difference >> 31);
+    difference = (d - bins[inZ + 3]!) | 0;
+    bins[inZ + 3]! += difference & (difference >> 31);
+    difference = (e - bins[inZ + 4]!) | 0;
+    bins[inZ + 4]! += difference & (difference >> 31);
+    difference = (f - bins[inZ + 5]!) | 0;
+    bins[inZ + 5]! += difference & (difference >> 31);
+    bins[inZ + COUNT_WORD]! += count;
   }
-}
-
-function grow(bin: number, a: number, b: number, c: number, d: number, e: number, f: number, count: number): void {
-  const at = bin << 3;
-  bins[at] = lesser(a, bins[at]!);
-  bins[at + 1] = lesser(b, bins[at + 1]!);
-  bins[at + 2] = lesser(c, bins[at + 2]!);
-  bins[at + 3] = lesser(d, bins[at + 3]!);
-  bins[at + 4] = lesser(e, bins[at + 4]!);
-  bins[at + 5] = lesser(f, bins[at + 5]!);
-  bins[at + COUNT_WORD]! += count;
 }
 
 /** Puts the best plane across one axis in `split`, if it is better than what is there. */

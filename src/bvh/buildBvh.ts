@@ -1,6 +1,6 @@
 import { findBinnedSplit, type Split } from "./bins";
 import { INTERSECTION_COST, TRAVERSAL_COST } from "./sahCost";
-import { chooseSample, SAMPLE } from "./sample";
+import { chooseSample, SAMPLE, type Sample } from "./sample";
 import { createSlots, halve, PRIMITIVE_WORD, partition, quantize, WORDS } from "./slots";
 import { MOST_SWEPT, sweep } from "./sweep";
 import { uniteBounds } from "./uniteBounds";
@@ -62,27 +62,30 @@ export function buildBvh(bounds: Float32Array, { maxLeaf = DEFAULT_MAX_LEAF, onP
   const progressStep = Math.max(Math.ceil(count * PROGRESS_STEP), 1);
 
   // Second children wait on a stack.
-  const pending = new Uint32Array(5 * MAX_DEPTH);
+  const pending = new Uint32Array(6 * MAX_DEPTH);
   let waiting = 0;
   let first = 0;
   let end = count;
   let side = 0;
+  let calm = 0;
   let depth = 0;
   let node = 0;
   let deepest = 0;
   let told = 0;
   for (;;) {
-    const middle = splitter.split(side, first, end, MAX_DEPTH - depth);
+    const middle = splitter.split(side, first, end, MAX_DEPTH - depth, calm);
     if (middle > first) {
       axes[node] = splitter.axis;
       side = splitter.side;
+      calm = splitter.calmLevels;
       depth += 1;
       pending[waiting] = node;
       pending[waiting + 1] = middle;
       pending[waiting + 2] = end;
       pending[waiting + 3] = side;
       pending[waiting + 4] = depth;
-      waiting += 5;
+      pending[waiting + 5] = calm;
+      waiting += 6;
       end = middle;
     } else {
       axes[node] = LEAF_AXIS;
@@ -95,12 +98,13 @@ export function buildBvh(bounds: Float32Array, { maxLeaf = DEFAULT_MAX_LEAF, onP
         told = end;
       }
       if (waiting === 0) break;
-      waiting -= 5;
+      waiting -= 6;
       links[pending[waiting]!] = node + 1;
       first = pending[waiting + 1]!;
       end = pending[waiting + 2]!;
       side = pending[waiting + 3]!;
       depth = pending[waiting + 4]!;
+      calm = pending[waiting + 5]!;
     }
     node += 1;
   }
@@ -140,38 +144,42 @@ type Splitter = {
   axis: number;
   /** Where the primitives are after the last split. */
   side: number;
+  /** To be passed on to where the two parts are split. */
+  calmLevels: number;
   /**
    * Sorts a range of slots into two parts, the lower one first.
    *
    * @param levelsLeft - how deep a tree may be under this node.
    * @returns the first slot of the upper part; `first` if the range is to be a leaf.
    */
-  split(side: number, first: number, end: number, levelsLeft: number): number;
+  split(side: number, first: number, end: number, levelsLeft: number, calmLevels: number): number;
   copyPrimitives(side: number, first: number, end: number, target: Uint32Array): void;
 };
 
 function createSplitter(bounds: Float32Array, maxLeaf: number): Splitter {
   const count = bounds.length / 6;
   const sides = [createSlots(count), createSlots(count)] as const;
+  for (let slot = 0; slot < count; slot++) sides[0].words[WORDS * slot + PRIMITIVE_WORD] = slot;
   quantize(sides[0], 0, count, bounds);
   const plane: Split = { axis: -1, threshold: 0, cost: 0, area: 0, range: 0 };
-  const sampled = { notable: 0, others: 0 };
+  const sample: Sample = { others: 0, weight: 0, notable: 0, calmLevels: 0 };
 
-  function findPlane(side: number, first: number, end: number): void {
+  function findPlane(side: number, first: number, end: number, calmLevels: number): void {
     const from = side === 0 ? sides[0] : sides[1];
     if (end - first <= 2 * SAMPLE) {
-      findBinnedSplit(from, first, end, end - first, 1, plane);
+      findBinnedSplit(from, first, end, 0, 1, plane);
       return;
     }
     const to = side === 0 ? sides[1] : sides[0];
-    const weight = chooseSample(from, to, first, end, sampled);
-    findBinnedSplit(to, first, first + sampled.notable + sampled.others, sampled.notable, weight, plane);
+    chooseSample(from, to, first, end, calmLevels > 0, sample);
+    findBinnedSplit(to, first, first + sample.others + sample.notable, sample.others, sample.weight, plane);
   }
 
   return {
     axis: 0,
     side: 0,
-    split(side, first, end, levelsLeft) {
+    calmLevels: 0,
+    split(side, first, end, levelsLeft, calmLevels) {
       const from = side === 0 ? sides[0] : sides[1];
       const to = side === 0 ? sides[1] : sides[0];
       const size = end - first;
@@ -183,11 +191,12 @@ function createSplitter(bounds: Float32Array, maxLeaf: number): Splitter {
         return sweep(from, to, first, end, maxLeaf, this);
       }
 
-      findPlane(side, first, end);
+      findPlane(side, first, end, calmLevels);
       if (plane.range < COARSE) {
         quantize(from, first, end, bounds);
-        findPlane(side, first, end);
+        findPlane(side, first, end, 0);
       }
+      this.calmLevels = calmLevels > 0 ? calmLevels - 1 : sample.calmLevels;
       if (plane.axis >= 0 && plane.area > 0 && !mustHalve) {
         const cost = TRAVERSAL_COST * plane.area + INTERSECTION_COST * plane.cost;
         if (size <= maxLeaf && cost >= INTERSECTION_COST * plane.area * size) return first;

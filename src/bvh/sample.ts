@@ -1,74 +1,108 @@
 import { SIZE_WORD, type Slots, WORDS } from "./slots";
 
-/** Primitives that stand for all others of a larger node. Twice as many change the cost of a tree by 0.3 % either way. */
+/** Primitives that stand for all others of a node of more than twice as many. */
 export const SAMPLE = 512;
 
-// A primitive that sticks out of its bin, or lies a bin outside of where the sample does, is not left to chance: a few huge or
-// far ones decide what boxes cost. Of a range in doubled coordinates this is half of a sixteenth.
-const NOTABLE = 1 / 32;
+// A primitive as large as two bins, or this far outside of where the sample lies, is not left to chance: a few huge or far ones
+// decide what boxes cost. This share is of the range of doubled centroids.
+const NOTABLE = 1 / 16;
+// Where the largest primitive is this much smaller than a notable one, that is not looked for in children and their children.
+const CALM = 1 / 2;
 
-/** @returns an offset in [0, stride), another for each `i`: a fixed one could fall in step with the order of a mesh. */
-const jitter = (i: number, stride: number) => (Math.imul(i, 0x9e3779b1) >>> 0) % stride;
+export type Sample = {
+  /** Primitives that each stand for `weight` of them. They come first. */
+  others: number;
+  weight: number;
+  /** Primitives that are large or far out. */
+  notable: number;
+  /** For how many levels of nodes there is no need to look for notable ones. */
+  calmLevels: number;
+};
 
 /**
- * Copies the primitives of a large node that matter for its split to the front of the same range of other slots: first those
- * which are large or far out, then some of the rest.
+ * Copies the primitives of a large node that matter for its split to the front of the same range of other slots.
  *
- * @param chosen - takes how many there are of either kind.
- * @returns how many primitives one of the rest stands for.
+ * @param isCalm - whether none of them is large.
  */
 export function chooseSample(
   { words, pairs }: Slots,
   to: Slots,
   first: number,
   end: number,
-  chosen: { notable: number; others: number },
-): number {
+  isCalm: boolean,
+  sample: Sample,
+): void {
+  const record = WORDS;
+  const size = SIZE_WORD;
+  const start = record * first;
+  const target = to.pairs;
   const stride = Math.ceil((end - first) / SAMPLE);
-  const [record, size] = [WORDS, SIZE_WORD];
-  const [start, stop] = [record * first, record * end];
-  let lowX = words[start]! - words[start + 3]!;
-  let lowY = words[start + 1]! - words[start + 4]!;
-  let lowZ = words[start + 2]! - words[start + 5]!;
-  let [highX, highY, highZ] = [lowX, lowY, lowZ];
+  let lowX = (words[start]! - words[start + 3]!) | 0;
+  let lowY = (words[start + 1]! - words[start + 4]!) | 0;
+  let lowZ = (words[start + 2]! - words[start + 5]!) | 0;
+  let highX = lowX;
+  let highY = lowY;
+  let highZ = lowZ;
+  let next = 4 * first;
   for (let i = 0, block = first; block < end; i++, block += stride) {
-    const at = record * (block + jitter(i, Math.min(stride, end - block)));
-    const x = words[at]! - words[at + 3]!;
-    const y = words[at + 1]! - words[at + 4]!;
-    const z = words[at + 2]! - words[at + 5]!;
+    // Another offset in each block: the same one could fall in step with the order of a mesh.
+    const at = record * (block + ((Math.imul(i, 0x9e3779b1) >>> 0) % Math.min(stride, end - block)));
+    const x = (words[at]! - words[at + 3]!) | 0;
+    const y = (words[at + 1]! - words[at + 4]!) | 0;
+    const z = (words[at + 2]! - words[at + 5]!) | 0;
     if (x < lowX) lowX = x;
     if (y < lowY) lowY = y;
     if (z < lowZ) lowZ = z;
     if (x > highX) highX = x;
     if (y > highY) highY = y;
     if (z > highZ) highZ = z;
+    copy(pairs, at / 2, target, next);
+    next += 4;
   }
-  const limit = Math.trunc(Math.max(highX - lowX, highY - lowY, highZ - lowZ) * NOTABLE);
-  lowX -= limit;
-  lowY -= limit;
-  lowZ -= limit;
-  highX += limit;
-  highY += limit;
-  highZ += limit;
+  sample.weight = stride;
+  sample.notable = 0;
+  sample.calmLevels = 0;
+  sample.others = next / 4 - first;
+  if (isCalm) return;
 
-  const target = to.pairs;
-  let next = 4 * first;
-  for (let at = start; at < stop; at += record) {
-    const x = words[at]! - words[at + 3]!;
-    const y = words[at + 1]! - words[at + 4]!;
-    const z = words[at + 2]! - words[at + 5]!;
-    const isPlain = words[at + size]! <= limit && x >= lowX && x <= highX && y >= lowY && y <= highY && z >= lowZ && z <= highZ;
-    if (isPlain) continue;
-    for (let i = 0; i < 4; i++) target[next + i] = pairs[at / 2 + i]!;
+  const limit = (Math.max(highX - lowX, highY - lowY, highZ - lowZ) * NOTABLE) | 0;
+  next = dropLarge(to, first, next / 4, limit) * 4;
+  sample.others = next / 4 - first;
+  lowX = (lowX - limit) | 0;
+  lowY = (lowY - limit) | 0;
+  lowZ = (lowZ - limit) | 0;
+  highX = (highX + limit) | 0;
+  highY = (highY + limit) | 0;
+  highZ = (highZ + limit) | 0;
+  let largest = 0;
+  for (let at = start; at < record * end; at += record) {
+    const x = (words[at]! - words[at + 3]!) | 0;
+    const y = (words[at + 1]! - words[at + 4]!) | 0;
+    const z = (words[at + 2]! - words[at + 5]!) | 0;
+    const own = words[at + size]!;
+    if (own > largest) largest = own;
+    // Negative if any of these is.
+    const slack = (limit - own) | (x - lowX) | (highX - x) | (y - lowY) | (highY - y) | (z - lowZ) | (highZ - z);
+    if (slack >= 0) continue;
+    copy(pairs, at / 2, target, next);
     next += 4;
   }
-  chosen.notable = next / 4 - first;
-  for (let i = 0, block = first; block < end; i++, block += stride) {
-    const at = record * (block + jitter(i, Math.min(stride, end - block)));
-    if (words[at + size]! > limit) continue;
-    for (let j = 0; j < 4; j++) target[next + j] = pairs[at / 2 + j]!;
-    next += 4;
+  sample.notable = next / 4 - first - sample.others;
+  if (largest < limit * CALM) sample.calmLevels = 2;
+}
+
+/** Closes ranks over the primitives above a size. @returns the slot after the last of those left. */
+function dropLarge({ words, pairs }: Slots, first: number, end: number, limit: number): number {
+  let next = first;
+  for (let slot = first; slot < end; slot++) {
+    if (words[WORDS * slot + SIZE_WORD]! <= limit) copy(pairs, 4 * slot, pairs, 4 * next++);
   }
-  chosen.others = next / 4 - first - chosen.notable;
-  return stride;
+  return next;
+}
+
+function copy(source: Float64Array, from: number, target: Float64Array, to: number): void {
+  target[to] = source[from]!;
+  target[to + 1] = source[from + 1]!;
+  target[to + 2] = source[from + 2]!;
+  target[to + 3] = source[from + 3]!;
 }

@@ -10,7 +10,7 @@ export const WORDS = 8;
 export const PRIMITIVE_WORD = 6;
 export const SIZE_WORD = 7;
 /** The grid's last line: sums of two numbers fit 31 bits, and no two words in a row are a NaN where a double is moved. */
-export const GRID = 2 ** 30 - 1;
+export const GRID = 2 ** 29 - 1;
 
 /** Records, in two views of one memory: read as words, moved as doubles. */
 export type Slots = {
@@ -18,10 +18,8 @@ export type Slots = {
   readonly pairs: Float64Array;
 };
 
-/** Slots that hold the primitives in order; their boxes come from `quantize`. */
 export function createSlots(count: number): Slots {
   const words = new Int32Array(WORDS * count);
-  for (let slot = 0; slot < count; slot++) words[WORDS * slot + PRIMITIVE_WORD] = slot;
   return { words, pairs: new Float64Array(words.buffer) };
 }
 
@@ -32,7 +30,8 @@ export function createSlots(count: number): Slots {
  */
 export function quantize({ words }: Slots, first: number, end: number, bounds: Float32Array): void {
   const stride = WORDS;
-  const [start, stop] = [stride * first, stride * end];
+  const start = stride * first;
+  const stop = stride * end;
   let minX = Number.POSITIVE_INFINITY;
   let minY = Number.POSITIVE_INFINITY;
   let minZ = Number.POSITIVE_INFINITY;
@@ -49,7 +48,9 @@ export function quantize({ words }: Slots, first: number, end: number, bounds: F
     if (bounds[from + 5]! > maxZ) maxZ = bounds[from + 5]!;
   }
   const extent = Math.max(maxX - minX, maxY - minY, maxZ - minZ);
-  const [grid, primitive, size] = [GRID, PRIMITIVE_WORD, SIZE_WORD];
+  const grid = GRID;
+  const primitive = PRIMITIVE_WORD;
+  const size = SIZE_WORD;
   const scale = extent > 0 ? (grid - 1) / extent : 0;
   for (let at = start; at < stop; at += stride) {
     const from = 6 * words[at + primitive]!;
