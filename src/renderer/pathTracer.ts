@@ -1,5 +1,5 @@
 import { type CompiledScene, compileScene } from "../compile/compileScene";
-import { type Geometry, hasMeshes, prepareGeometry } from "../compile/geometry";
+import { type Geometry, needsGeometry, prepareGeometry } from "../compile/geometry";
 import { linkModule } from "../compile/linkProgram";
 import { WebGpuError } from "../errors";
 import { adapterName, requestDevice } from "../gpu/device";
@@ -28,6 +28,11 @@ export type PathTracerOptions = {
   /** Used, never destroyed. Without one the tracer requests its own and destroys it with itself. */
   readonly device?: GPUDevice;
   readonly settings?: Partial<Settings>;
+} & SceneOptions;
+
+export type SceneOptions = {
+  /** Told which share of a scene's geometry is sorted, from 0 to 1, where there is much of it. */
+  readonly onProgress?: (fraction: number) => void;
 };
 
 type SharedUniforms = Omit<FrameUniforms, "half" | "firstSample" | "sampleCount" | "firstRow" | "endRow">;
@@ -80,8 +85,8 @@ export class PathTracer {
   /** What will be shown once it is prepared and compiled, and that work; the newest only. */
   #pending: Shown | undefined;
   #installing: Promise<void> | undefined;
-  /** Counts installations: an older one gives way. */
-  #installs = 0;
+  /** Ends that work, for something newer. */
+  #overtake = new AbortController();
   /** When the accumulation last started anew. */
   #restartedAt = 0;
   #failure: unknown;
@@ -103,7 +108,7 @@ export class PathTracer {
   static async create(options: PathTracerOptions): Promise<PathTracer> {
     const settings = { ...DEFAULT_SETTINGS, ...options.settings };
     const scene = parseScene(options.scene);
-    const geometry = await prepareGeometry(scene);
+    const geometry = await prepareGeometry(scene, options);
     const compiled = compileScene(scene, settings, undefined, geometry);
     const device = options.device ?? (await requestDevice());
     try {
@@ -185,9 +190,9 @@ export class PathTracer {
    *
    * @throws {SceneError | UnsupportedError} The old scene stays.
    */
-  async setScene(scene: Scene): Promise<void> {
+  async setScene(scene: Scene, options: SceneOptions = {}): Promise<void> {
     const resolved = parseScene(scene);
-    await this.#install({ scene: resolved, camera: resolved.camera });
+    await this.#install({ scene: resolved, camera: resolved.camera }, options);
   }
 
   /** @throws {SceneError} The old camera stays. */
@@ -315,6 +320,7 @@ export class PathTracer {
   dispose(): void {
     if (this.#disposed) return;
     this.#disposed = true;
+    this.#overtake.abort();
     this.device.removeEventListener("uncapturederror", this.#onDeviceError);
     this.#trace.dispose();
     this.#geometry.dispose();
@@ -332,27 +338,33 @@ export class PathTracer {
     else this.#display = display;
   }
 
-  /** Shows something else, once its meshes are sorted and a program that fits it is compiled. A newer call overtakes an older one. */
-  async #install(next: Shown): Promise<void> {
-    const install = ++this.#installs;
+  /** Shows something else, once its geometry is sorted and a program that fits it is compiled. A newer call overtakes an older one. */
+  async #install(next: Shown, options: SceneOptions = {}): Promise<void> {
+    this.#overtake.abort();
+    this.#overtake = new AbortController();
+    const { signal } = this.#overtake;
     this.#pending = next;
-    const installing = this.#prepare(next.scene, () => install !== this.#installs || this.#disposed);
+    const installing = this.#prepare(next.scene, { ...options, signal }).catch((error: unknown) => {
+      if (!signal.aborted) throw error;
+    });
     this.#installing = installing;
     await installing.finally(() => {
-      if (install !== this.#installs) return;
+      if (signal.aborted) return;
       this.#installing = undefined;
       this.#pending = undefined;
     });
   }
 
   /** In one go where nothing has to be sorted or compiled. */
-  async #prepare(scene: ResolvedScene, isOvertaken: () => boolean): Promise<void> {
-    const geometry = hasMeshes(scene) ? await prepareGeometry(scene, this.#geometry.source) : undefined;
-    if (isOvertaken()) return;
+  async #prepare(scene: ResolvedScene, options: SceneOptions & { readonly signal: AbortSignal }): Promise<void> {
+    const previous = this.#geometry.source;
+    const geometry = needsGeometry(scene) ? await prepareGeometry(scene, { previous, ...options }) : undefined;
+    options.signal.throwIfAborted();
     const compiled = compileScene(scene, this.#settings, undefined, geometry);
     const isFitting = programKey(compiled) === this.#program.key;
     const program = isFitting ? this.#program : await createProgram(this.device, compiled);
-    if (!isOvertaken()) this.#show(this.#pending!, geometry, compiled, program);
+    options.signal.throwIfAborted();
+    this.#show(this.#pending!, geometry, compiled, program);
   }
 
   #show({ scene, camera }: Shown, geometry: Geometry | undefined, compiled: CompiledScene, program: Program): void {

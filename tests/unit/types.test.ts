@@ -54,7 +54,9 @@ describe("the tracer", () => {
   });
 
   test("has the methods of the design", () => {
-    expectTypeOf<api.PathTracer["setScene"]>().toEqualTypeOf<(scene: api.Scene) => Promise<void>>();
+    expectTypeOf<api.PathTracer["setScene"]>().toEqualTypeOf<
+      (scene: api.Scene, options?: api.SceneOptions) => Promise<void>
+    >();
     expectTypeOf<api.PathTracer["setCamera"]>().toEqualTypeOf<(camera: api.Camera) => void>();
     expectTypeOf<api.PathTracer["resize"]>().toEqualTypeOf<(width: number, height: number) => void>();
     expectTypeOf<api.PathTracer["update"]>().toEqualTypeOf<(settings: Partial<api.Settings>) => void>();
