@@ -17,6 +17,8 @@ export function leanShaders(): Plugin {
 
 /** The package: ES modules with the shaders inlined, so that users need no plugin. */
 export default defineConfig({
+  // Addresses within the package are relative: the worker is found wherever a page or a bundler puts it.
+  base: "./",
   plugins: [leanShaders()],
   build: {
     lib: {
