@@ -37,10 +37,7 @@ export const CameraSchema = strictObject(
     /** Any direction that points up in the picture; need not be orthogonal to the view. */
     up: v.optional(direction, [0, 1, 0]),
     /** The angle between the lower and the upper edge of the picture, in degrees. */
-    verticalFov: v.optional(
-      numberThat("an angle between 0 and 180 degrees", (x) => x > 0 && x < 180),
-      45,
-    ),
+    verticalFov: v.optional(numberThat("an angle between 0 and 180 degrees", { above: 0, below: 180 }), 45),
   },
   ({ position, target, up }, addIssue) => {
     if (!position || !target) return;
@@ -63,10 +60,7 @@ export const MaterialSchema = strictObject(
     /** From 0 (a perfect mirror) to 1; the microfacet α is its square. */
     roughness: v.optional(fraction, 1),
     /** Index of refraction, ≥ 1, of the dielectric part; 1 has no highlight. */
-    ior: v.optional(
-      numberThat("a finite number ≥ 1", (x) => x >= 1),
-      1.5,
-    ),
+    ior: v.optional(numberThat("a finite number ≥ 1", { min: 1 }), 1.5),
     /** Radiance in W·sr⁻¹·m⁻², from the front side only. */
     emission: v.optional(light, [0, 0, 0]),
     /** The masking function of the microfacets: height-correlated Smith, or Schlick's product form. */
@@ -178,7 +172,7 @@ export const SceneSchema = v.pipe(
     environment: v.optional(EnvironmentSchema, {}),
     /** How often a path may scatter between camera and light: 0 shows emitters only, 1 is direct light. */
     maxBounces: v.optional(
-      numberThat(`an integer from 0 to ${MAX_BOUNCES}`, (x) => Number.isInteger(x) && x >= 0 && x <= MAX_BOUNCES),
+      numberThat(`an integer from 0 to ${MAX_BOUNCES}`, { min: 0, max: MAX_BOUNCES, isInteger: true }),
       8,
     ),
   }),

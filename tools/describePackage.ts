@@ -1,0 +1,11 @@
+import { writeFile } from "node:fs/promises";
+import { createSceneSchema } from "./sceneSchema";
+
+/** Adds to `dist` what describes the package to editors and other tools. */
+export async function main(): Promise<void> {
+  await writeJson("dist/scene.schema.json", await createSceneSchema());
+}
+
+async function writeJson(path: string, value: unknown): Promise<void> {
+  await writeFile(path, `${JSON.stringify(value, undefined, 2)}\n`);
+}
