@@ -1,9 +1,11 @@
 import { type ESTree, parseSync } from "vite";
 
-/** What the docstrings of a schema's source say: of the schema itself, and of its fields by name. */
-export type Docs = { readonly text?: string; readonly fields: ReadonlyMap<string, Docs> };
+/** What the docstrings of a schema's source say: of the schema itself, of its fields by name, and of what is in it. */
+export type Docs = { readonly text?: string; readonly fields: ReadonlyMap<string, Docs>; readonly item?: Docs };
 
 type Comment = ReturnType<typeof parseSync>["comments"][number];
+
+const CONTAINERS = ["list", "triple", "dictionary"];
 
 export const NO_DOCS: Docs = { fields: new Map() };
 
@@ -28,7 +30,11 @@ export function readDocs(source: string, known: ReadonlyMap<string, Docs> = new 
   /** Of the first object literal in nested calls, or of the constant that stands in its place. */
   const docsOf = (node: ESTree.Node | undefined): Docs => {
     if (node?.type === "Identifier") return constants.get(node.name) ?? NO_DOCS;
-    if (node?.type === "CallExpression") return docsOf(node.arguments[0]);
+    if (node?.type === "CallExpression") {
+      const docs = docsOf(node.arguments[0]);
+      const isContainer = node.callee.type === "Identifier" && CONTAINERS.includes(node.callee.name);
+      return isContainer ? { ...NO_DOCS, item: docs } : docs;
+    }
     if (node?.type !== "ObjectExpression") return NO_DOCS;
     const fields = node.properties.flatMap((property) => {
       if (property.type !== "Property" || property.key.type !== "Identifier") return [];

@@ -30,7 +30,6 @@ function keywords(schema: v.GenericSchema, docs: Docs): JsonSchema {
 }
 
 function ofShape(shape: Shape, docs: Docs): JsonSchema {
-  const { fields } = docs;
   switch (shape.kind) {
     case "number":
       return numberKeywords(shape);
@@ -38,7 +37,7 @@ function ofShape(shape: Shape, docs: Docs): JsonSchema {
       const entries = Object.entries(shape.entries) as [string, v.GenericSchema][];
       return {
         type: "object",
-        properties: Object.fromEntries(entries.map(([key, entry]) => [key, toJsonSchema(entry, fields.get(key))])),
+        properties: Object.fromEntries(entries.map(([key, entry]) => [key, toJsonSchema(entry, docs.fields.get(key))])),
         required: entries.filter(([, entry]) => !is(entry, "optional")).map(([key]) => key),
         additionalProperties: false,
       };
@@ -47,16 +46,16 @@ function ofShape(shape: Shape, docs: Docs): JsonSchema {
       return {
         type: "object",
         required: ["type"],
-        anyOf: Object.entries(shape.options).map(([type, option]) => toJsonSchema(option, fields.get(type))),
+        anyOf: Object.entries(shape.options).map(([type, option]) => toJsonSchema(option, docs.fields.get(type))),
       };
     case "list":
-      return { type: "array", items: toJsonSchema(shape.item, { fields }) };
+      return { type: "array", items: toJsonSchema(shape.item, docs.item) };
     case "triple": {
       const contains = shape.isNonZero === true ? { contains: { not: { const: 0 } } } : {};
-      return { type: "array", items: toJsonSchema(shape.item, { fields }), minItems: 3, maxItems: 3, ...contains };
+      return { type: "array", items: toJsonSchema(shape.item, docs.item), minItems: 3, maxItems: 3, ...contains };
     }
     case "dictionary":
-      return { type: "object", additionalProperties: toJsonSchema(shape.item, { fields }) };
+      return { type: "object", additionalProperties: toJsonSchema(shape.item, docs.item) };
   }
 }
 

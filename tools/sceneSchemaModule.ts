@@ -14,7 +14,7 @@ export function sceneSchemaModule(): Plugin {
       if (loaded !== id) return;
       const generator = fileURLToPath(new URL("sceneSchema.ts", import.meta.url));
       const { module } = await runnerImport<typeof import("./sceneSchema")>(generator, { logLevel: "error" });
-      return `export default ${JSON.stringify(await module.createSceneSchema())}`;
+      return JSON.stringify(await module.createSceneSchema()); // by the name, Vite knows that it is JSON
     },
   };
 }

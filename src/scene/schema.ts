@@ -6,11 +6,13 @@ import * as v from "valibot";
 import { byType, dictionary, list, strictObject, triple } from "./containers";
 import { oneOf, show, suggest } from "./describe";
 import {
+  bytes,
+  coordinates,
   direction,
   finite,
-  finiteList,
+  floats,
   fraction,
-  indexList,
+  indices,
   light,
   numberThat,
   positive,
@@ -26,11 +28,15 @@ export type Rgb = readonly [number, number, number];
 
 // Two directions whose angle has a smaller sine count as parallel: in f32 their cross product is mostly rounding error.
 const MIN_SINE = 1e-6;
+// WebGPU devices have textures of this size; texels of ours are in a buffer, but nothing larger is a picture.
+const MAX_TEXTURE_SIZE = 16384;
 // A bound for loops; with an albedo of 0.99, 1024 bounces leave 3e-5 of the light.
 const MAX_BOUNCES = 1024;
 
+/** Where the scene is seen from, and how. */
 export const CameraSchema = strictObject(
   {
+    /** Where the rays start; there is no lens. */
     position: vec3,
     /** The point in the middle of the picture. */
     target: v.optional(vec3, [0, 0, 0]),
@@ -50,7 +56,13 @@ export const CameraSchema = strictObject(
 );
 
 const MASKINGS = ["smith", "schlick-beckmann"] as const;
+const WRAPS = ["repeat", "mirror", "clamp"] as const;
+const FILTERS = ["linear", "nearest"] as const;
 
+/** The name of one of the scene's textures. */
+const textureName = v.string((issue) => `expected the name of a texture, got ${show(issue.input)}`);
+
+/** An opaque surface as in glTF 2.0: metallic-roughness. */
 export const MaterialSchema = strictObject(
   {
     /** Albedo of a dielectric, reflectance at normal incidence of a metal; each component from 0 to 1. */
@@ -64,10 +76,7 @@ export const MaterialSchema = strictObject(
     /** Radiance in W·sr⁻¹·m⁻², from the front side only. */
     emission: v.optional(light, [0, 0, 0]),
     /** The masking function of the microfacets: height-correlated Smith, or Schlick's product form. */
-    masking: v.optional(
-      v.picklist(MASKINGS, ({ input }) => `expected ${oneOf(MASKINGS)}, got ${show(input)}${suggest(input, MASKINGS)}`),
-      "smith",
-    ),
+    masking: choice(MASKINGS, "smith"),
     /**
      * Gives a rough metal back the light that its microfacets reflect more than once, which glTF drops: with α = 1 and seen
      * from above, 69 % of it. A white metal is then white, to within 1 %, however rough. Costs 0.3 % of the
@@ -78,6 +87,16 @@ export const MaterialSchema = strictObject(
       v.boolean((issue) => `expected true or false, got ${show(issue.input)}`),
       false,
     ),
+    /** Name of the texture whose colour, sRGB, multiplies `baseColor`. Textures show on meshes that have `uvs`. */
+    baseColorTexture: v.optional(textureName),
+    /** Name of the texture whose green multiplies `roughness` and whose blue multiplies `metallic`; linear. */
+    metallicRoughnessTexture: v.optional(textureName),
+    /** Name of the texture whose colour, sRGB, multiplies `emission`. */
+    emissionTexture: v.optional(textureName),
+    /** Name of the texture that bends the normal: 0…255 is −1…1 along tangent, bitangent and normal; linear. */
+    normalTexture: v.optional(textureName),
+    /** How far along the surface `normalTexture` bends the normal. */
+    normalScale: v.optional(finite, 1),
   },
   ({ masking, multiscatter }, addIssue) => {
     if (multiscatter && masking === "schlick-beckmann") {
@@ -89,15 +108,67 @@ export const MaterialSchema = strictObject(
 /** The name of one of the scene's materials. */
 const materialName = v.string((issue) => `expected the name of a material, got ${show(issue.input)}`);
 
-export const ObjectSchema = byType({
-  sphere: strictObject({ type: v.literal("sphere"), center: vec3, radius: positive, material: materialName }),
+/** In texels. */
+const textureSize = numberThat(`an integer from 1 to ${MAX_TEXTURE_SIZE}`, {
+  min: 1,
+  max: MAX_TEXTURE_SIZE,
+  isInteger: true,
+});
 
-  /** Infinite. */
-  plane: strictObject({ type: v.literal("plane"), point: vec3, normal: direction, material: materialName }),
+/** A picture for materials. How it is read, as colour or as data, is up to the material. */
+export const TextureSchema = strictObject(
+  {
+    width: textureSize,
+    height: textureSize,
+    /** Red, green, blue and alpha, from 0 to 255, of each texel; rows from the top. Alpha has no meaning yet. */
+    texels: bytes,
+    /** What is left and right of it: texture coordinates outside of 0…1 … */
+    wrapU: choice(WRAPS, "repeat"),
+    /** … and above and below. */
+    wrapV: choice(WRAPS, "repeat"),
+    /** Between texels. */
+    filter: choice(FILTERS, "linear"),
+  },
+  ({ width, height, texels }, addIssue) => {
+    if (!width || !height || !texels || texels.length === 4 * width * height) return;
+    addIssue(["texels"], `expected ${4 * width * height} numbers, four per texel, got ${texels.length}`);
+  },
+);
+
+/** Something with a surface. Front sides matter for emission only: both sides reflect. */
+export const ObjectSchema = byType({
+  /** A ball. */
+  sphere: strictObject({
+    type: v.literal("sphere"),
+    /** Its middle, `[x, y, z]`. */
+    center: vec3,
+    /** In metres, > 0. */
+    radius: positive,
+    material: materialName,
+  }),
+
+  /** An infinite plane. */
+  plane: strictObject({
+    type: v.literal("plane"),
+    /** Any of its points, `[x, y, z]`. */
+    point: vec3,
+    /** The direction its front looks, `[x, y, z]` of any length. */
+    normal: direction,
+    material: materialName,
+  }),
 
   /** A parallelogram; its front is on the side of edge1 × edge2. */
   quad: strictObject(
-    { type: v.literal("quad"), corner: vec3, edge1: direction, edge2: direction, material: materialName },
+    {
+      type: v.literal("quad"),
+      /** Where its two edges start, `[x, y, z]`. */
+      corner: vec3,
+      /** From the corner to one of its neighbours, `[x, y, z]`. */
+      edge1: direction,
+      /** From the corner to its other neighbour, `[x, y, z]`. */
+      edge2: direction,
+      material: materialName,
+    },
     ({ edge1, edge2 }, addIssue) => {
       if (edge1 && edge2 && areParallel(edge1, edge2)) {
         addIssue(["edge2"], `expected a direction that is not parallel to edge1, got ${show(edge2)}`);
@@ -105,30 +176,41 @@ export const ObjectSchema = byType({
     },
   ),
 
-  /** Its front is where the vertices run counter-clockwise. One without area is allowed and never hit. */
-  triangle: strictObject({ type: v.literal("triangle"), vertices: triple(vec3, "[a, b, c]"), material: materialName }),
+  /** A triangle; its front is where the vertices run counter-clockwise. One without area is allowed and never hit. */
+  triangle: strictObject({
+    type: v.literal("triangle"),
+    /** Three points, each `[x, y, z]`. */
+    vertices: triple(vec3, "[a, b, c]"),
+    material: materialName,
+  }),
 
+  /** A cuboid, upright, turned around the Y axis. */
   box: strictObject({
     type: v.literal("box"),
+    /** Its middle, `[x, y, z]`. */
     center: vec3,
+    /** Along its own x, y and z, in metres, each > 0. */
     size: sizes,
     /** Degrees around the Y axis through the center, counter-clockwise from above. */
     rotationY: v.optional(finite, 0),
     material: materialName,
   }),
 
+  /** Triangles that share vertices. */
   mesh: strictObject(
     {
       type: v.literal("mesh"),
       /** x, y, z of each vertex. */
-      positions: finiteList,
-      /** Three vertices per triangle. */
-      indices: indexList,
-      /** x, y, z per vertex. Without them the mesh is faceted. */
-      normals: v.optional(finiteList),
+      positions: coordinates,
+      /** Three vertices per triangle; its front is where they run counter-clockwise. */
+      indices,
+      /** x, y, z per vertex, of any length. Without them the mesh is faceted. */
+      normals: v.optional(floats),
+      /** u, v per vertex: where it is on the material's textures; (0, 0) is their top left corner, (1, 1) the bottom right. */
+      uvs: v.optional(floats),
       material: materialName,
     },
-    ({ positions, indices, normals }, addIssue) => {
+    ({ positions, indices, normals, uvs }, addIssue) => {
       if (positions && positions.length % 3 !== 0) {
         addIssue(["positions"], `expected three numbers per vertex, got ${positions.length} numbers`);
       }
@@ -137,6 +219,9 @@ export const ObjectSchema = byType({
       }
       if (positions && normals && normals.length !== positions.length) {
         addIssue(["normals"], `expected as many numbers as positions (${positions.length}), got ${normals.length}`);
+      }
+      if (positions && uvs && uvs.length / 2 !== positions.length / 3) {
+        addIssue(["uvs"], `expected two numbers per vertex (${(2 * positions.length) / 3}), got ${uvs.length}`);
       }
       if (!positions || !indices) return;
       const vertexCount = Math.floor(positions.length / 3);
@@ -147,19 +232,36 @@ export const ObjectSchema = byType({
   ),
 });
 
+/** A lamp. */
 export const LightSchema = byType({
-  /** Shines equally in all directions. Power is in watts; the intensity is power / 4π. */
-  point: strictObject({ type: v.literal("point"), position: vec3, power: light }),
+  /** A lamp without size that shines equally in all directions. */
+  point: strictObject({
+    type: v.literal("point"),
+    /** Where it is, `[x, y, z]`. */
+    position: vec3,
+    /** In watts, `[r, g, b]`; the intensity is power / 4π. */
+    power: light,
+  }),
 
-  /** A visible, black ball that emits. Its radius changes the shadow, never the power (watts). */
-  sphere: strictObject({ type: v.literal("sphere"), position: vec3, radius: positive, power: light }),
+  /** A visible, black ball that emits. */
+  sphere: strictObject({
+    type: v.literal("sphere"),
+    /** Its middle, `[x, y, z]`. */
+    position: vec3,
+    /** In metres, > 0. Changes the shadow, never the power. */
+    radius: positive,
+    /** In watts, `[r, g, b]`. */
+    power: light,
+  }),
 });
 
+/** What is behind everything. */
 export const EnvironmentSchema = strictObject({
   /** The same from everywhere, in W·sr⁻¹·m⁻². */
   radiance: v.optional(light, [0, 0, 0]),
 });
 
+/** A scene. Right-handed, Y up, metres; colours are linear Rec. 709; angles are in degrees. */
 export const SceneSchema = v.pipe(
   strictObject({
     /** For editors that check JSON while it is written; has no meaning here. */
@@ -167,7 +269,11 @@ export const SceneSchema = v.pipe(
     camera: CameraSchema,
     /** Surfaces by name; the objects refer to them. */
     materials: v.optional(dictionary(MaterialSchema), {}),
+    /** Pictures by name; the materials refer to them. */
+    textures: v.optional(dictionary(TextureSchema), {}),
+    /** Everything that has a surface. */
     objects: list(ObjectSchema),
+    /** Lamps; surfaces whose material has an `emission` shine too. */
     lights: v.optional(list(LightSchema), []),
     environment: v.optional(EnvironmentSchema, {}),
     /** How often a path may scatter between camera and light: 0 shows emitters only, 1 is direct light. */
@@ -183,6 +289,7 @@ export const SceneSchema = v.pipe(
 export type Scene = v.InferInput<typeof SceneSchema>;
 export type Camera = v.InferInput<typeof CameraSchema>;
 export type Material = v.InferInput<typeof MaterialSchema>;
+export type Texture = v.InferInput<typeof TextureSchema>;
 export type SceneObject = v.InferInput<typeof ObjectSchema>;
 export type Light = v.InferInput<typeof LightSchema>;
 export type Environment = v.InferInput<typeof EnvironmentSchema>;
@@ -191,8 +298,16 @@ export type Environment = v.InferInput<typeof EnvironmentSchema>;
 export type ResolvedScene = v.InferOutput<typeof SceneSchema>;
 export type ResolvedCamera = v.InferOutput<typeof CameraSchema>;
 export type ResolvedMaterial = v.InferOutput<typeof MaterialSchema>;
+export type ResolvedTexture = v.InferOutput<typeof TextureSchema>;
 export type ResolvedObject = v.InferOutput<typeof ObjectSchema>;
 export type ResolvedLight = v.InferOutput<typeof LightSchema>;
+
+/** One of several words, the first by default. */
+function choice<const Word extends string>(words: readonly Word[], initial: NoInfer<Word>) {
+  const expected = oneOf(words);
+  const picklist = v.picklist(words, ({ input }) => `expected ${expected}, got ${show(input)}${suggest(input, words)}`);
+  return v.optional(picklist, initial);
+}
 
 function subtract(a: Vec3, b: Vec3): Vec3 {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
