@@ -1,6 +1,6 @@
 import * as v from "valibot";
 import { type Shape, shapeOf } from "../src/scene/shape";
-import { type Docs, NO_DOCS } from "./docstrings";
+import { NO_DOCS, type SchemaDocs } from "./schemaDocs";
 
 export type JsonSchema = { readonly [keyword: string]: unknown };
 
@@ -12,14 +12,14 @@ export type JsonSchema = { readonly [keyword: string]: unknown };
  *
  * @throws {TypeError} for a schema about which it knows nothing; give it a shape.
  */
-export function toJsonSchema(schema: v.GenericSchema, docs: Docs = NO_DOCS): JsonSchema {
+export function toJsonSchema(schema: v.GenericSchema, docs: SchemaDocs = NO_DOCS): JsonSchema {
   const description = docs.text === undefined ? {} : { description: docs.text };
   const defaultValue: unknown = v.getDefault(schema);
   const given = defaultValue === undefined ? {} : { default: defaultValue };
   return { ...description, ...keywords(schema, docs), ...given };
 }
 
-function keywords(schema: v.GenericSchema, docs: Docs): JsonSchema {
+function keywords(schema: v.GenericSchema, docs: SchemaDocs): JsonSchema {
   const shape = shapeOf(schema);
   if (shape !== undefined) return ofShape(shape, docs);
   if (is(schema, "optional")) return keywords((schema as v.OptionalSchema<v.GenericSchema, unknown>).wrapped, docs);
@@ -29,7 +29,7 @@ function keywords(schema: v.GenericSchema, docs: Docs): JsonSchema {
   throw new TypeError(`No JSON Schema is known for a valibot schema of type "${schema.type}"; give it a shape.`);
 }
 
-function ofShape(shape: Shape, docs: Docs): JsonSchema {
+function ofShape(shape: Shape, docs: SchemaDocs): JsonSchema {
   switch (shape.kind) {
     case "number":
       return numberKeywords(shape);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { readDocs } from "../../../tools/docstrings";
+import { readSchemaDocs } from "../../../tools/schemaDocs";
 
 const SOURCE = `
 /** A number of things. */
@@ -27,22 +27,25 @@ export const Thing = v.pipe(
 `;
 
 test("a constant has its docstring, without stars and tags", () => {
-  expect(readDocs(SOURCE).get("Thing")?.text).toBe("A thing, described in two lines.\n\nAnd a paragraph.");
+  expect(readSchemaDocs(SOURCE).get("Thing")?.text).toBe("A thing, described in two lines.\n\nAnd a paragraph.");
 });
 
 test("a field has its own docstring, or that of the constant it refers to", () => {
-  const fields = readDocs(SOURCE).get("Thing")?.fields;
+  const fields = readSchemaDocs(SOURCE).get("Thing")?.fields;
   expect(fields?.get("size")?.text).toBe("Its size.");
   expect(fields?.get("count")?.text).toBe("A number of things.");
   expect(fields?.get("plain")?.text).toBeUndefined();
 });
 
 test("the docstring of an item does not describe the list", () => {
-  const things = readDocs("/** Things. */ const x = strictObject({ all: list(Thing) });", readDocs(SOURCE)).get("x");
+  const things = readSchemaDocs(
+    "/** Things. */ const x = strictObject({ all: list(Thing) });",
+    readSchemaDocs(SOURCE),
+  ).get("x");
   expect(things?.fields.get("all")?.text).toBeUndefined();
   expect(things?.fields.get("all")?.item?.fields.get("size")?.text).toBe("Its size.");
 });
 
 test("a source that does not parse is an error", () => {
-  expect(() => readDocs("const = 1")).toThrow(SyntaxError);
+  expect(() => readSchemaDocs("const = 1")).toThrow(SyntaxError);
 });
