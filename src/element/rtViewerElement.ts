@@ -27,8 +27,12 @@ const UPGRADED_PROPERTIES = ["src", "controls", "stats", "showStats", "paused", 
 /**
  * `<rt-viewer src="scene.json" controls stats></rt-viewer>`: a path-traced scene in a page.
  *
- * Its attributes and properties are described at `ReflectedElement`, its events at `RtViewerEventMap`. Parts for styling:
- * `canvas`, `panel`, `message`.
+ * Its attributes and properties are described at `ReflectedElement`, its events at `RtViewerEventMap`.
+ *
+ * @csspart canvas - The picture.
+ * @csspart panel - The corner with figures and knobs.
+ * @csspart message - What is said in place of a picture that cannot be shown.
+ * @cssprop --rt-viewer-focus-color - Colour of the outline while the keyboard moves the camera.
  */
 export class RtViewerElement extends ReflectedElement {
   static readonly observedAttributes = OBSERVED_ATTRIBUTES;
