@@ -99,14 +99,15 @@ export class RtViewerElement extends ReflectedElement {
   }
 
   /**
-   * Figures of the tracer: a live object. Setting a boolean sets the attribute `stats` (see `showStats`), which is what
-   * frameworks do that set properties rather than attributes.
+   * Figures of the tracer: a live object. Setting it sets the attribute `stats`, a text as it is and a boolean as `showStats`
+   * does, because frameworks set a property of that name rather than the attribute.
    */
   get stats(): Stats | undefined {
     return this.tracer?.stats;
   }
-  set stats(isShown: boolean) {
-    this.showStats = isShown;
+  set stats(isShown: boolean | "" | "folded") {
+    if (typeof isShown === "string") this.setAttribute("stats", isShown);
+    else this.showStats = isShown;
   }
 
   /** Throws away what has been sampled and starts over. */
