@@ -30,14 +30,11 @@ const modules: BuildEnvironmentOptions = {
   minify: false,
 };
 
-/** The same with everything in one file, dependencies too, for `<script type="module">`. */
+/** The same in one file, dependencies too, for `<script type="module">`. */
 const singleFile: BuildEnvironmentOptions = {
   emptyOutDir: false,
-  rollupOptions: {
-    input: "src/bundle.ts",
-    preserveEntrySignatures: "strict",
-    output: { entryFileNames: "rt-viewer.min.js", codeSplitting: false },
-  },
+  lib: { entry: "src/bundle.ts", formats: ["es"] },
+  rollupOptions: { output: { entryFileNames: "rt-viewer.min.js", codeSplitting: false, minify: true } },
 };
 
 /** The package; with `--mode single`, its single file. */
