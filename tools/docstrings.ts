@@ -36,6 +36,15 @@ export function declarationOf(statement: ESTree.Node): ESTree.Node {
   return statement.type === "ExportNamedDeclaration" && statement.declaration ? statement.declaration : statement;
 }
 
+/** The module from which a file imports a name. */
+export function importedFrom({ body }: Source, name: string): string | undefined {
+  for (const statement of body) {
+    if (statement.type !== "ImportDeclaration") continue;
+    if (statement.specifiers.some(({ local }) => local.name === name)) return statement.source.value;
+  }
+  return undefined;
+}
+
 function parseDocstring(comment: string): Docstring {
   const lines = comment.split("\n").map((line) => line.replace(/^\s*\*+ ?/, "").trim());
   const [text = "", ...tags] = lines.join("\n").split(/^@/m);

@@ -1,6 +1,6 @@
 import { readFile } from "node:fs/promises";
 import type { ESTree } from "vite";
-import { type Docstring, declarationOf, parseSource, type Source } from "./docstrings";
+import { type Docstring, declarationOf, importedFrom, parseSource, type Source } from "./docstrings";
 
 /** A public property or method of the element's class, as its source has it. */
 export type Member = {
@@ -84,14 +84,6 @@ function publicMembers(source: Source, { body }: ESTree.Class): Member[] {
     members.push({ kind: member.kind === "get" ? "field" : "method", name, type, docs: source.docstringOf(member) });
   }
   return members.map((member) => ({ ...member, isReadOnly: !setters.has(member.name) }));
-}
-
-function importedFrom({ body }: Source, name: string): string | undefined {
-  for (const statement of body) {
-    if (statement.type !== "ImportDeclaration") continue;
-    if (statement.specifiers.some(({ local }) => local.name === name)) return statement.source.value;
-  }
-  return undefined;
 }
 
 function capitalized(text: string): string {

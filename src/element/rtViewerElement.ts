@@ -27,8 +27,6 @@ const UPGRADED_PROPERTIES = ["src", "controls", "stats", "showStats", "paused", 
 /**
  * `<rt-viewer src="scene.json" controls stats></rt-viewer>`: a path-traced scene in a page.
  *
- * Its attributes and properties are described at `ReflectedElement`, its events at `RtViewerEventMap`.
- *
  * @csspart canvas - The picture.
  * @csspart panel - The corner with figures and knobs.
  * @csspart message - What is said in place of a picture that cannot be shown.

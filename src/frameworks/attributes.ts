@@ -28,7 +28,7 @@ export type RtViewerProperties = {
   readonly camera?: Partial<ResolvedCamera>;
   /** What is left out stays as it is. */
   readonly settings?: Partial<Settings>;
-} & { readonly [Name in Exclude<SettingName, keyof RtViewerAttributes>]?: Settings[Name] | undefined };
+} & { readonly [Name in SettingName]?: Settings[Name] | undefined };
 
 /** The listeners of `<rt-viewer>` under the names that JSX and Svelte give them: `onready`, `onprogress`, … */
 export type RtViewerListeners = {

@@ -5,6 +5,8 @@ import type { DetailedHTMLProps, HTMLAttributes } from "react";
 import type { RtViewerElement } from "../element/rtViewerElement";
 import type { RtViewerAttributes, RtViewerListeners, RtViewerProperties } from "./attributes";
 
+export type { RtViewerAttributes, RtViewerListeners, RtViewerProperties };
+
 /** What `<rt-viewer>` takes in JSX. */
 export type RtViewerProps = DetailedHTMLProps<HTMLAttributes<RtViewerElement>, RtViewerElement> &
   RtViewerAttributes &

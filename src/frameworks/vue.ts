@@ -6,6 +6,8 @@ import type { RtViewerEventMap } from "../element/events";
 import type { RtViewerElement } from "../element/rtViewerElement";
 import type { RtViewerAttributes, RtViewerProperties } from "./attributes";
 
+export type { RtViewerAttributes, RtViewerProperties };
+
 type Listeners = {
   readonly [Name in keyof RtViewerEventMap as `on${Capitalize<Name>}`]?: (event: RtViewerEventMap[Name]) => void;
 };

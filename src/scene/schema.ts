@@ -287,15 +287,22 @@ export const SceneSchema = v.pipe(
 
 /** What users write: everything that has a default is optional. */
 export type Scene = v.InferInput<typeof SceneSchema>;
+/** Where a scene is seen from, as users write it. */
 export type Camera = v.InferInput<typeof CameraSchema>;
+/** A surface, as users write it; every field has a default. */
 export type Material = v.InferInput<typeof MaterialSchema>;
+/** A picture for materials, as users write it. */
 export type Texture = v.InferInput<typeof TextureSchema>;
+/** One of the things in a scene, told apart by `type`. */
 export type SceneObject = v.InferInput<typeof ObjectSchema>;
+/** A lamp, as users write it, told apart by `type`. */
 export type Light = v.InferInput<typeof LightSchema>;
+/** What is behind everything, as users write it. */
 export type Environment = v.InferInput<typeof EnvironmentSchema>;
 
 /** A valid scene with every default filled in, the output of `parseScene`. */
 export type ResolvedScene = v.InferOutput<typeof SceneSchema>;
+/** A valid camera with every default filled in. */
 export type ResolvedCamera = v.InferOutput<typeof CameraSchema>;
 export type ResolvedMaterial = v.InferOutput<typeof MaterialSchema>;
 export type ResolvedTexture = v.InferOutput<typeof TextureSchema>;

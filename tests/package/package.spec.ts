@@ -1,14 +1,17 @@
-import { readFile } from "node:fs/promises";
+import { readdir, readFile } from "node:fs/promises";
 import { join } from "node:path";
-import { fileURLToPath } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import type { CustomElementDeclaration, Package } from "custom-elements-manifest";
 import type { RtViewerElement } from "../../src/element";
+import { readExports } from "../../tools/apiDocs";
+import { createDocs } from "../../tools/docs";
 import { contrast, pictureOf } from "../e2e/support/picture";
 import { waitForSamples } from "../e2e/support/viewer";
 import { expect, serve, test } from "./support/test";
 
 const SITE = "https://stranger.example";
 const CDN = "https://cdn.example/rt-viewer";
+const DOCS = fileURLToPath(new URL("../../docs/api/", import.meta.url));
 const SCENES = fileURLToPath(new URL("../reference/scenes/", import.meta.url));
 
 test("a strict TypeScript project type-checks against the package, and mistakes in templates are errors", async ({
@@ -138,4 +141,23 @@ test("one file from a CDN is all that a page needs", async ({ page, project }) =
   }));
   expect(new Set(cssParts?.map(({ name }) => name))).toEqual(new Set(found.parts));
   expect(new Set(slots?.map(({ name }) => name))).toEqual(new Set(found.slots));
+});
+
+test("everything that is exported has a docstring", async ({ project }) => {
+  const { exports } = JSON.parse(await readFile(join(project.package, "package.json"), "utf8"));
+  const undocumented: string[] = [];
+  for (const [entry, { types }] of Object.entries<{ types?: string }>(exports)) {
+    if (types === undefined) continue;
+    for (const { name, docs } of await readExports(pathToFileURL(join(project.package, types)))) {
+      if (!docs?.text) undocumented.push(`${entry} ${name}`);
+    }
+  }
+  expect(undocumented).toEqual([]);
+});
+
+test("docs/api is what npm run docs writes", async ({ project }) => {
+  const written = await Promise.all(
+    (await readdir(DOCS)).map(async (name) => [name, await readFile(join(DOCS, name), "utf8")] as const),
+  );
+  expect(Object.fromEntries(written)).toEqual(Object.fromEntries(await createDocs(project.package)));
 });
