@@ -118,8 +118,11 @@ beforeAll(async () => {
   validate = new Ajv({ strict: true }).compile(schema);
 });
 
-test.each(readdirSync(SCENES))("the reference scene %s is valid", (name) => {
-  expect(validate(JSON.parse(readFileSync(new URL(name, SCENES), "utf8"))), JSON.stringify(validate.errors)).toBe(true);
+test.each(readdirSync(SCENES))("the reference scene %s is valid, and names the schema", (name) => {
+  const scene = JSON.parse(readFileSync(new URL(name, SCENES), "utf8"));
+  expect(validate(scene), JSON.stringify(validate.errors)).toBe(true);
+  const schemaUrl = new URL(scene.$schema, new URL(name, SCENES));
+  expect(schemaUrl.pathname.endsWith("/dist/scene.schema.json"), schemaUrl.pathname).toBe(true);
 });
 
 test("a scene with every field is valid, and the schema knows no other field", () => {
