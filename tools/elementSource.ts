@@ -44,28 +44,35 @@ export async function readClass(
   throw new TypeError(`There is no class ${name} in ${file.pathname}.`);
 }
 
-/** The events in an interface whose values are `CustomEvent<Detail>`, described by their own docstrings or those of their details' types. */
+/** The events in an interface whose values are `CustomEvent<Detail>`, described by the docstrings of their details' types. */
 export async function readEvents(file: URL, interfaceName: string): Promise<readonly EventSource[]> {
   const source = parseSource(await readFile(file, "utf8"));
-  const descriptions = new Map<string, string>();
   const events: EventSource[] = [];
   for (const statement of source.body) {
     const declaration = declarationOf(statement);
-    if (declaration.type === "TSTypeAliasDeclaration") {
-      descriptions.set(declaration.id.name, source.docstringOf(statement)?.text ?? "");
-    } else if (declaration.type === "TSInterfaceDeclaration" && declaration.id.name === interfaceName) {
-      for (const member of declaration.body.body) {
-        if (member.type !== "TSPropertySignature" || !member.typeAnnotation) continue;
-        const name = source.textOf(member.key).replaceAll('"', "");
-        const type = source.textOf(member.typeAnnotation.typeAnnotation);
-        events.push({ name, type, description: source.docstringOf(member)?.text ?? "" });
-      }
+    if (declaration.type !== "TSInterfaceDeclaration" || declaration.id.name !== interfaceName) continue;
+    for (const member of declaration.body.body) {
+      if (member.type !== "TSPropertySignature" || !member.typeAnnotation) continue;
+      const type = source.textOf(member.typeAnnotation.typeAnnotation);
+      const detail = await descriptionOfType(file, source, /<(\w+)>/.exec(type)?.[1] ?? "");
+      const description = capitalized(detail.replace(/^`[\w-]+`: /, ""));
+      events.push({ name: source.textOf(member.key).replaceAll('"', ""), type, description });
     }
   }
-  return events.map((event) => {
-    const detail = descriptions.get(/<(\w+)>/.exec(event.type)?.[1] ?? "") ?? "";
-    return { ...event, description: event.description || capitalized(detail.replace(/^`[\w-]+`: /, "")) };
-  });
+  return events;
+}
+
+/** The docstring of a type that is declared in a file, or in one from which the file imports it. */
+async function descriptionOfType(file: URL, source: Source, name: string): Promise<string> {
+  for (const statement of source.body) {
+    const declaration = declarationOf(statement);
+    if (declaration.type !== "TSTypeAliasDeclaration" || declaration.id.name !== name) continue;
+    return source.docstringOf(statement)?.text ?? "";
+  }
+  const module = importedFrom(source, name);
+  if (module === undefined) return "";
+  const imported = new URL(`${module}.ts`, file);
+  return descriptionOfType(imported, parseSource(await readFile(imported, "utf8")), name);
 }
 
 function publicMembers(source: Source, { body }: ESTree.Class): Member[] {

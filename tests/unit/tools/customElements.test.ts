@@ -49,16 +49,13 @@ test("a property without a setter is read-only", () => {
 });
 
 test("every event is in it", () => {
-  const events = {
-    ready: "ReadyDetail",
-    progress: "ProgressDetail",
-    converged: "ConvergedDetail",
-    error: "ErrorDetail",
-  };
-  expect(namesOf(element.events)).toEqual(Object.keys(events satisfies Record<keyof RtViewerEventMap, string>).sort());
-  for (const [name, detail] of Object.entries(events)) {
-    expect(element.events?.find((event) => event.name === name)?.type.text).toBe(`CustomEvent<${detail}>`);
-  }
+  const events: Record<keyof RtViewerEventMap, true> = { ready: true, progress: true, converged: true, error: true };
+  expect(namesOf(element.events)).toEqual(Object.keys(events).sort());
+  expect(element.events).toContainEqual({
+    name: "progress",
+    type: { text: "CustomEvent<ProgressDetail>" },
+    description: "More samples are in the picture. At most ten times a second.",
+  });
 });
 
 test("every slot, part and custom property in the element's source is in it", () => {
