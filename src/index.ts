@@ -11,6 +11,7 @@ export type {
   Environment,
   Light,
   Material,
+  ResolvedCamera,
   ResolvedScene,
   Rgb,
   Scene,

@@ -27,8 +27,10 @@ const UPGRADED_PROPERTIES = ["src", "controls", "stats", "showStats", "paused", 
 /**
  * `<rt-viewer src="scene.json" controls stats></rt-viewer>`: a path-traced scene in a page.
  *
- * Its attributes and properties are described at `ReflectedElement`, its events at `RtViewerEventMap`. Parts for styling:
- * `canvas`, `panel`, `message`.
+ * @csspart canvas - The picture.
+ * @csspart panel - The corner with figures and knobs.
+ * @csspart message - What is said in place of a picture that cannot be shown.
+ * @cssprop --rt-viewer-focus-color - Colour of the outline while the keyboard moves the camera.
  */
 export class RtViewerElement extends ReflectedElement {
   static readonly observedAttributes = OBSERVED_ATTRIBUTES;
@@ -95,14 +97,15 @@ export class RtViewerElement extends ReflectedElement {
   }
 
   /**
-   * Figures of the tracer: a live object. Setting a boolean sets the attribute `stats` (see `showStats`), which is what
-   * frameworks do that set properties rather than attributes.
+   * Figures of the tracer: a live object. Setting it sets the attribute `stats`, a text as it is and a boolean as `showStats`
+   * does, because frameworks set a property of that name rather than the attribute.
    */
   get stats(): Stats | undefined {
     return this.tracer?.stats;
   }
-  set stats(isShown: boolean) {
-    this.showStats = isShown;
+  set stats(isShown: boolean | "" | "folded") {
+    if (typeof isShown === "string") this.setAttribute("stats", isShown);
+    else this.showStats = isShown;
   }
 
   /** Throws away what has been sampled and starts over. */

@@ -25,6 +25,7 @@ export type PanelOptions = {
   readonly isExpanded?: boolean;
 };
 
+/** A panel on a page. */
 export type Panel = {
   /** Shows the figures of now, at most five times a second. To be called every frame. */
   refresh(): void;

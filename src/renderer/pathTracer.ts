@@ -20,6 +20,7 @@ import { Progress } from "./progress";
 import { DEFAULT_SETTINGS, type Settings } from "./settings";
 import type { Stats } from "./stats";
 
+/** What a tracer is made from. */
 export type PathTracerOptions = {
   readonly scene: Scene;
   /** In pixels. */
@@ -58,6 +59,7 @@ const ERROR_INTERVAL_MS = 200;
  * In a page, call `frame()` and `present()` once per animation frame. Elsewhere, `await sample(n)` and `readRadiance()`.
  */
 export class PathTracer {
+  /** Where it renders; the one that was given, or its own. */
   readonly device: GPUDevice;
   readonly #ownsDevice: boolean;
   readonly #errorPipeline: GPUComputePipeline;
@@ -159,22 +161,27 @@ export class PathTracer {
     return this.#meter.stats;
   }
 
+  /** What is shown, with every default filled in. */
   get scene(): ResolvedScene {
     return this.#scene;
   }
 
+  /** From where it is shown: the scene's camera until another was set. */
   get camera(): ResolvedCamera {
     return this.#camera;
   }
 
+  /** How it is sampled. */
   get settings(): Settings {
     return this.#settings;
   }
 
+  /** Of the film, in pixels. */
   get width(): number {
     return this.#film.width;
   }
 
+  /** Of the film, in pixels. */
   get height(): number {
     return this.#film.height;
   }

@@ -1,0 +1,20 @@
+import { expect, test } from "vitest";
+import { OBSERVED_ATTRIBUTES } from "../../../src/element/attributes";
+import type { RtViewerAttributes } from "../../../src/frameworks/attributes";
+
+test("templates may write every attribute of the element, and no other", () => {
+  const attributes: Required<RtViewerAttributes> = {
+    src: "scene.json",
+    controls: true,
+    stats: "folded",
+    paused: false,
+    alt: "",
+    exposure: 0,
+    "max-bounces": 8,
+    "samples-per-frame": 1,
+    "light-samples": "1",
+    "target-error": 0.01,
+    "max-samples": 64,
+  };
+  expect(Object.keys(attributes).sort()).toEqual([...OBSERVED_ATTRIBUTES].sort());
+});
