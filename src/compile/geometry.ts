@@ -110,11 +110,6 @@ export async function prepareGeometry(
   return withLamps({ origin, parts, treeShapes, shapes, textures, triangleCount, slotOf, depth, data }, emitting);
 }
 
-/** Whether there is something to prepare. */
-export function needsGeometry(scene: ResolvedScene): boolean {
-  return meshesOf(scene).length > 0 || treeShapesOf(scene, scene.camera.target).length > 0;
-}
-
 function meshesOf(scene: ResolvedScene): { object: MeshObject; id: number }[] {
   return scene.objects.flatMap((object, id) => (object.type === "mesh" ? [{ object, id }] : []));
 }

@@ -26,6 +26,11 @@ export function treeShapesOf(scene: ResolvedScene, origin: Vec3): TreeShape[] {
   return bounded.length > MAX_UNROLLED ? bounded : [];
 }
 
+/** Whether a scene has something for the tree: for `prepareGeometry`, which pages load only then. */
+export function needsGeometry(scene: ResolvedScene): boolean {
+  return scene.objects.some(({ type }) => type === "mesh") || treeShapesOf(scene, scene.camera.target).length > 0;
+}
+
 /** Huge spheres are measured from a point on them, which the tree has no room for. */
 function isBounded(shape: Shape): boolean {
   if (shape.kind === "sphere") return shape.foot === undefined;

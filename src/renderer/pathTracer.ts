@@ -1,6 +1,7 @@
 import { type CompiledScene, compileScene } from "../compile/compileScene";
-import { type Geometry, needsGeometry, prepareGeometry } from "../compile/geometry";
+import type { Geometry, GeometryOptions } from "../compile/geometry";
 import { linkModule } from "../compile/linkProgram";
+import { needsGeometry } from "../compile/treeShapes";
 import { WebGpuError } from "../errors";
 import { adapterName, requestDevice } from "../gpu/device";
 import { ErrorPass } from "../gpu/errorPass";
@@ -110,7 +111,7 @@ export class PathTracer {
   static async create(options: PathTracerOptions): Promise<PathTracer> {
     const settings = { ...DEFAULT_SETTINGS, ...options.settings };
     const scene = parseScene(options.scene);
-    const geometry = await prepareGeometry(scene, options);
+    const geometry = needsGeometry(scene) ? await prepareGeometry(scene, options) : undefined;
     const compiled = compileScene(scene, settings, undefined, geometry);
     const device = options.device ?? (await requestDevice());
     try {
@@ -469,4 +470,10 @@ export class PathTracer {
     const lamps = lampPixels(this.#compiled.lamps, basis, width, height);
     return { ...view, ...lamps, size: [width, height], seed, maxBounces, lightSamples };
   }
+}
+
+/** The tree's builder is a sixth of what the renderer weighs: pages whose scenes have no need of it do not load it. */
+async function prepareGeometry(scene: ResolvedScene, options: GeometryOptions): Promise<Geometry | undefined> {
+  const geometry = await import("../compile/geometry");
+  return geometry.prepareGeometry(scene, options);
 }
