@@ -49,4 +49,5 @@ export const VIEW = defineStruct({
   filmSize: "vec2u",
   targetSize: "vec2u",
   exposure: "f32",
+  toneMap: "u32",
 });
