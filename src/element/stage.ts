@@ -33,8 +33,6 @@ export class Stage {
   /** Held while there is a view, or one is made. */
   #lease: DeviceLease | undefined;
   #view: CanvasView | undefined;
-  /** The scene in the view, as it was given. */
-  #scene: Scene | undefined;
   /** One whose work has failed, while it is found out why. */
   #failedView: CanvasView | undefined;
   #lossCount = 0;
@@ -183,7 +181,6 @@ export class Stage {
         if (signal.aborted || !(await isLost(lease.device))) throw error;
       }
       if (signal.aborted || this.#lease !== lease || this.#view === undefined) continue;
-      this.#scene = scene;
       this.#applyAll(this.#view);
       return;
     }
@@ -217,16 +214,15 @@ export class Stage {
   /** Starts over on another device; the canvas keeps its picture until then. */
   #recover(message: string): void {
     const { tracer } = this;
-    const scene = this.#scene;
     tracer?.dispose();
     this.#forgetView();
     this.#release();
     this.#lossCount += 1;
     this.#listener.onDeviceLost({ message, count: this.#lossCount });
     // Whatever is on its way to the stage will find a device by itself.
-    if (this.#task.isRunning || tracer === undefined || scene === undefined) return;
+    if (this.#task.isRunning || tracer === undefined) return;
     this.#pendingCamera = tracer.camera;
-    void this.show(async () => scene);
+    void this.show(async () => tracer.scene);
   }
 
   async #onFailure(view: CanvasView, error: Error): Promise<void> {
@@ -239,7 +235,6 @@ export class Stage {
   #forgetView(): void {
     this.#view = undefined;
     this.#failedView = undefined;
-    this.#scene = undefined;
     this.#requestedAt = undefined;
     this.#reportedSamples = 0;
     this.#wasConverged = false;
