@@ -38,12 +38,12 @@ test("200 viewers that came and went leave no GPU objects, no listeners and no o
   const before = await holdingsOf(page);
   const started = Date.now();
   const seen = await page.evaluate(async (attributes) => {
-    // Every one in four is let finish; the others are taken away wherever they are by then, or moved, or given another scene.
-    let readyCount = 0;
-    const seen = { gpuObjects: 0, listeners: 0, devices: 0 };
+    // Two of each batch are let finish, eight are taken away about when they compile, the others while they fetch, or before.
+    const seen = { readyCount: 0, gpuObjects: 0, listeners: 0 };
     const { holdings } = globalThis as unknown as { holdings: () => typeof seen };
-    for (let batch = 0; batch < 25; batch++) {
-      const viewers = Array.from({ length: 8 }, (_, index) => {
+    const frame = () => new Promise(requestAnimationFrame);
+    for (let batch = 0; batch < 5; batch++) {
+      const viewers = Array.from({ length: 40 }, (_, index) => {
         const viewer = document.createElement("rt-viewer");
         for (const [name, value] of Object.entries(attributes)) viewer.setAttribute(name, value);
         viewer.toggleAttribute("controls", index % 2 === 0);
@@ -54,20 +54,25 @@ test("200 viewers that came and went leave no GPU objects, no listeners and no o
       const finished = viewers
         .slice(0, 2)
         .map((viewer) => new Promise((resolve) => viewer.addEventListener("ready", resolve, { once: true })));
-      for (const viewer of viewers.slice(4, 6)) document.body.prepend(viewer);
-      for (const viewer of viewers.slice(6, 8)) viewer.src = "bleed.json";
+      for (const viewer of viewers.slice(10, 25)) viewer.remove();
+      for (const viewer of viewers.slice(25, 30)) document.body.prepend(viewer);
+      for (const viewer of viewers.slice(30)) viewer.src = "bleed.json";
+      await frame();
+      for (const viewer of viewers.slice(10)) viewer.remove();
+      for (let frames = 0; frames < 3; frames++) await frame();
+      for (const viewer of viewers.slice(2, 10)) viewer.remove();
       await Promise.all(finished);
-      readyCount += finished.length;
-      for (const [name, value] of Object.entries(holdings())) {
-        if (name in seen) seen[name as keyof typeof seen] = Math.max(seen[name as keyof typeof seen], value);
-      }
+      const { gpuObjects, listeners } = holdings();
+      seen.readyCount += finished.length;
+      seen.gpuObjects = Math.max(seen.gpuObjects, gpuObjects);
+      seen.listeners = Math.max(seen.listeners, listeners);
       for (const viewer of viewers) viewer.remove();
     }
-    return { readyCount, ...seen };
+    return seen;
   }, TINY);
-  expect(seen.readyCount).toBe(50);
+  expect(seen.readyCount).toBe(10);
   expect(seen.gpuObjects).toBeGreaterThan(10);
-  expect(seen.listeners).toBeGreaterThan(before.listeners + 16);
+  expect(seen.listeners).toBeGreaterThan(before.listeners + 10);
   await expect
     .poll(() => holdingsOf(page))
     .toMatchObject({ gpuObjects: 0, devices: 0, listeners: before.listeners, observers: before.observers });
