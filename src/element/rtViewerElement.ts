@@ -29,10 +29,20 @@ const DISPOSAL_GRACE_MS = 10;
  *
  * Its attributes and properties are described at `ReflectedElement`, its events at `RtViewerEventMap`.
  *
- * Slots: `poster`, shown until there is a picture, and `fallback`, shown where there can be none. Parts for styling:
- * `canvas`, `panel`, `message`, `poster`, `progress`. Custom properties: `--rt-viewer-background`, `--rt-viewer-color` and
- * `--rt-viewer-error-color` of messages, `--rt-viewer-accent-color` of the progress bar, `--rt-viewer-focus-color`, and
- * `--rt-viewer-touch-action`, by default `pan-y`: a finger that moves upright scrolls the page, any other turns the view.
+ * @slot poster - Shown until there is a picture, in place of the attribute `poster`.
+ * @slot fallback - Shown where there can be no picture, in place of the message; not where the scene has a mistake.
+ * @csspart canvas - The picture.
+ * @csspart poster - The image of the attribute `poster`.
+ * @csspart progress - The bar that shows how far a scene is that takes long.
+ * @csspart panel - The corner with figures and knobs.
+ * @csspart message - What is said in place of a picture that cannot be shown.
+ * @cssprop --rt-viewer-background - Behind messages, and where there is no picture yet.
+ * @cssprop --rt-viewer-color - Text of messages.
+ * @cssprop --rt-viewer-error-color - Titles of messages.
+ * @cssprop --rt-viewer-accent-color - The progress bar.
+ * @cssprop --rt-viewer-focus-color - Outline while the keyboard moves the camera.
+ * @cssprop [--rt-viewer-touch-action=pan-y] - With controls: a finger that sets out upright scrolls the page, one that
+ * sets out sideways turns the view, two pan and zoom. `none` takes every touch.
  */
 export class RtViewerElement extends ReflectedElement {
   static readonly observedAttributes = OBSERVED_ATTRIBUTES;
