@@ -53,9 +53,8 @@ test("20 lost devices in a row are survived, half of them lost before their firs
 });
 
 test("viewers that lost the same device share the next one", async ({ page }) => {
-  const first = await openViewer(page, SMALL, 2);
-  const second = await addViewer(page, SMALL);
-  await waitForSamples(second, 2);
+  await openViewer(page, SMALL, 2);
+  await waitForSamples(await addViewer(page, SMALL), 2);
   const isShared = await page.evaluate(async () => {
     const viewers = [...document.querySelectorAll("rt-viewer")];
     const ready = viewers.map((viewer) => new Promise((resolve) => viewer.addEventListener("ready", resolve)));
@@ -64,7 +63,7 @@ test("viewers that lost the same device share the next one", async ({ page }) =>
     return viewers[0]!.tracer!.device === viewers[1]!.tracer!.device;
   });
   expect(isShared).toBe(true);
-  for (const viewer of [first, second]) await waitForSamples(viewer, 2);
+  for (const index of [0, 1]) await waitForSamples(page.locator("rt-viewer").nth(index), 2);
 });
 
 test("an adapter that is gone for a moment is waited for", async ({ page }) => {

@@ -87,7 +87,8 @@ test("loading=lazy fetches nothing and asks for no device before it is near, and
   await page.evaluate(() => {
     document.body.style.paddingTop = "5000px";
   });
-  const lazy = await addViewer(page, { loading: "lazy", src: "spheres.json", poster: "missing.svg" });
+  const lazy = page.locator("rt-viewer").first();
+  await addViewer(page, { loading: "lazy", src: "spheres.json", poster: "missing.svg" });
   const eager = await addViewer(page, { src: "furnace.json" });
   await waitForSamples(eager, 1);
   expect(await samplesOf(lazy)).toBe(0);
