@@ -21,8 +21,8 @@ const TOUCH_SLOP_PIXELS = 8; // less has no direction yet
 const MAX_WHEEL_PIXELS = 300; // some mice send a whole page per notch
 
 /**
- * Lets pointer, wheel and keyboard move a camera: drag turns, unless it is a touch that scrolls the page; right-drag, shift-drag and two fingers pan; wheel and pinch
- * zoom; arrow keys turn, with shift they pan; + and − zoom.
+ * Lets pointer, wheel and keyboard move a camera: drag turns, unless it is a touch that scrolls the page; right-drag,
+ * shift-drag and two fingers pan; wheel and pinch zoom; arrow keys turn, with shift they pan; + and − zoom.
  *
  * @param surface - takes the events; its height is the measure of every gesture.
  * @param signal - ends it: every listener goes.
