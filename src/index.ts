@@ -1,4 +1,5 @@
 export { RtViewerError, SceneError, type SceneIssue, UnsupportedError, WebGpuError } from "./errors";
+export type { ToneMap } from "./gpu/blitPass";
 export type { View } from "./renderer/display";
 export { PathTracer, type PathTracerOptions, type SceneOptions } from "./renderer/pathTracer";
 export { DEFAULT_SETTINGS, type Settings } from "./renderer/settings";

@@ -3,10 +3,10 @@ import { parseArgs } from "node:util";
 import { encode } from "fast-png";
 import { RtViewerError } from "../errors";
 import { PathTracer } from "../renderer/pathTracer";
+import { encodePfm } from "../renderer/pfm";
 import type { Settings } from "../renderer/settings";
 import type { Scene } from "../scene/schema";
 import { requestDawnDevice } from "./dawn";
-import { encodePfm } from "./pfm";
 
 const USAGE = `Usage: npm run render -- SCENE.json [options]
   --size WxH          pixels, default 256x256

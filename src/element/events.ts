@@ -1,9 +1,13 @@
 import type { PathTracer } from "../renderer/pathTracer";
+import type { LoadProgressDetail } from "./loadProgress";
 
-/** `ready`: the scene is loaded and compiled and its first picture is on the page. Once per scene. */
+/**
+ * `ready`: the scene is loaded and compiled and its first picture is on the page. Once per scene, and again with a new
+ * tracer after the device was lost.
+ */
 export type ReadyDetail = {
   readonly tracer: PathTracer;
-  /** Milliseconds from the moment the scene was asked for (the element connected, or `src` or `scene` set). */
+  /** Milliseconds from the moment the scene was asked for (the element connected, `src` or `scene` set, a device lost). */
   readonly milliseconds: number;
 };
 
@@ -24,11 +28,24 @@ export type ErrorDetail = {
   readonly error: Error;
 };
 
+/**
+ * `devicelost`: the browser took the GPU away. The element shows the same scene from the same camera again by itself, on a
+ * new device: `ready` follows, or `error` where there is none any more.
+ */
+export type DeviceLostDetail = {
+  /** What the browser says about it; may be "". */
+  readonly message: string;
+  /** How often this has happened to the element. */
+  readonly count: number;
+};
+
 /** The events of `<rt-viewer>`. None of them bubbles. */
 export interface RtViewerEventMap {
+  loadprogress: CustomEvent<LoadProgressDetail>;
   ready: CustomEvent<ReadyDetail>;
   progress: CustomEvent<ProgressDetail>;
   converged: CustomEvent<ConvergedDetail>;
+  devicelost: CustomEvent<DeviceLostDetail>;
   error: CustomEvent<ErrorDetail>;
 }
 

@@ -1,41 +1,55 @@
-import { WebGpuError } from "../errors";
+import { RtViewerError, WebGpuError } from "../errors";
 import type { PanelKnobs } from "../panel/panel";
+import type { View } from "../renderer/display";
 import type { PathTracer } from "../renderer/pathTracer";
 import type { Stats } from "../renderer/stats";
 import type { ResolvedCamera, Scene } from "../scene/schema";
 import { OBSERVED_ATTRIBUTES, settingOfAttribute } from "./attributes";
+import { parseCameraOrbit } from "./cameraOrbit";
+import { createKeyHelp, labelCanvas } from "./canvasLabel";
 import { canvasSize } from "./canvasSize";
+import { Curtain } from "./curtain";
 import { describeError, missingWebGpu } from "./describeError";
 import type { RtViewerEventMap } from "./events";
 import { fetchScene } from "./fetchScene";
+import { LiveRegion } from "./liveRegion";
 import { MessageBox } from "./messageBox";
 import { PanelHost } from "./panelHost";
 import { ReflectedElement } from "./reflectedElement";
 import { RenderLoop } from "./renderLoop";
 import { Stage } from "./stage";
 import { elementStyles } from "./styles";
-import { currentBox, watchBox, watchVisibility } from "./watchers";
+import { currentBox, watchBox, watchNearness, watchReducedMotion, watchVisibility } from "./watchers";
 
 /** How long an element may be out of the document before it gives back the GPU: a move in the document costs nothing. */
 const DISPOSAL_GRACE_MS = 10;
 
-const DEFAULT_LABEL = "3D scene";
-
-/** What a page may have set before the element was defined. */
-const UPGRADED_PROPERTIES = ["src", "controls", "stats", "showStats", "paused", "alt", "exposure", "settings", "scene"];
-
 /**
  * `<rt-viewer src="scene.json" controls stats></rt-viewer>`: a path-traced scene in a page.
  *
+ * Its attributes and properties are described at `ReflectedElement`, its events at `RtViewerEventMap`.
+ *
+ * @slot poster - Shown until there is a picture, in place of the attribute `poster`.
+ * @slot fallback - Shown where there can be no picture, in place of the message; not where the scene has a mistake.
  * @csspart canvas - The picture.
+ * @csspart poster - The image of the attribute `poster`.
+ * @csspart progress - The bar that shows how far a scene is that takes long.
  * @csspart panel - The corner with figures and knobs.
  * @csspart message - What is said in place of a picture that cannot be shown.
- * @cssprop --rt-viewer-focus-color - Colour of the outline while the keyboard moves the camera.
+ * @cssprop --rt-viewer-background - Behind messages, and where there is no picture yet.
+ * @cssprop --rt-viewer-color - Text of messages.
+ * @cssprop --rt-viewer-error-color - Titles of messages.
+ * @cssprop --rt-viewer-accent-color - The progress bar.
+ * @cssprop --rt-viewer-focus-color - Outline while the keyboard moves the camera.
+ * @cssprop [--rt-viewer-touch-action=pan-y] - With controls: a finger that sets out upright scrolls the page, one that
+ * sets out sideways turns the view, two pan and zoom. `none` takes every touch.
  */
 export class RtViewerElement extends ReflectedElement {
   static readonly observedAttributes = OBSERVED_ATTRIBUTES;
 
   readonly #canvas: HTMLCanvasElement;
+  readonly #curtain: Curtain;
+  readonly #liveRegion: LiveRegion;
   readonly #message: MessageBox;
   readonly #panel: PanelHost;
   readonly #stage: Stage;
@@ -44,6 +58,8 @@ export class RtViewerElement extends ReflectedElement {
   /** The scene or URL that was asked for last; `undefined` when there is none, or the GPU has been given back. */
   #requested: Scene | string | undefined;
   #isVisible = false;
+  /** It has been close enough to what is seen of the page for a lazy element to load. */
+  #wasNear = false;
   /** Ends the listeners and observers of the time the element is in a document. */
   #connection: AbortController | undefined;
   #controls: AbortController | undefined;
@@ -55,15 +71,32 @@ export class RtViewerElement extends ReflectedElement {
     root.adoptedStyleSheets = [elementStyles()];
     this.#canvas = this.ownerDocument.createElement("canvas");
     this.#canvas.setAttribute("part", "canvas");
-    this.#canvas.setAttribute("role", "img");
+    this.#curtain = new Curtain(this.ownerDocument);
+    this.#liveRegion = new LiveRegion(this.ownerDocument);
     this.#message = new MessageBox(this.ownerDocument);
     this.#panel = new PanelHost(this.ownerDocument);
-    root.append(this.#canvas, this.#panel.element, this.#message.element);
+    const parts = [this.#curtain, this.#panel, this.#message, this.#liveRegion].map(({ element }) => element);
+    root.append(this.#canvas, ...parts, createKeyHelp(this.ownerDocument));
     this.#stage = new Stage(this.#canvas, {
+      onLoadProgress: (detail) => {
+        this.#curtain.showProgress(detail);
+        this.#emit("loadprogress", detail);
+      },
       onScene: () => this.#onScene(),
-      onReady: (detail) => this.#emit("ready", detail),
+      onReady: (detail) => {
+        this.#curtain.open();
+        this.#liveRegion.noteReady();
+        this.#emit("ready", detail);
+      },
       onProgress: (detail) => this.#emit("progress", detail),
-      onConverged: (detail) => this.#emit("converged", detail),
+      onConverged: (detail) => {
+        this.#liveRegion.noteConverged();
+        this.#emit("converged", detail);
+      },
+      onDeviceLost: (detail) => {
+        this.#showPanel();
+        this.#emit("devicelost", detail);
+      },
       onError: (error) => this.#fail(error),
     });
   }
@@ -77,7 +110,10 @@ export class RtViewerElement extends ReflectedElement {
     this.#load();
   }
 
-  /** Where the picture is seen from: the scene's camera, then wherever it was moved. `undefined` before there is a scene. */
+  /**
+   * Where the picture is seen from: the scene's camera, then wherever it was moved. `undefined` before there is a scene.
+   * Setting it changes the fields it names; before there is a scene, they are kept for it.
+   */
   get camera(): ResolvedCamera | undefined {
     return this.#stage.camera;
   }
@@ -113,8 +149,37 @@ export class RtViewerElement extends ReflectedElement {
     this.tracer?.reset();
   }
 
+  /**
+   * What has been sampled, as the tracer gives it: RGBA, linear Rec. 709, top row first, `tracer.width · tracer.height`
+   * pixels.
+   *
+   * @throws {RtViewerError} before `ready`.
+   */
+  async readRadiance(): Promise<Float32Array> {
+    return this.#sampledTracer().readRadiance();
+  }
+
+  /**
+   * What has been sampled, as an image file.
+   *
+   * @param type - `"image/png"` by default, or another type that the browser's canvas encodes: tone-mapped. Of
+   * `"image/x-portable-floatmap"` it is linear float, without exposure or tone mapping.
+   * @param quality - 0…1, for types that have one.
+   * @throws {RtViewerError} before `ready`.
+   */
+  async toBlob(type = "image/png", quality?: number): Promise<Blob> {
+    const tracer = this.#sampledTracer();
+    const { encodePicture } = await import("./snapshot");
+    return encodePicture(tracer, this.#look(), type, quality);
+  }
+
+  /** The picture as a PNG, or as a Portable FloatMap with the radiance as it was sampled. Like `toBlob`. */
+  screenshot(format: "png" | "pfm" = "png"): Promise<Blob> {
+    return this.toBlob(format === "pfm" ? "image/x-portable-floatmap" : "image/png");
+  }
+
   connectedCallback(): void {
-    this.upgradeProperties(UPGRADED_PROPERTIES);
+    this.upgradeProperties();
     clearTimeout(this.#disposal);
     this.#connection = new AbortController();
     const { signal } = this.#connection;
@@ -123,6 +188,8 @@ export class RtViewerElement extends ReflectedElement {
     this.#stage.refresh();
     watchBox(this.#canvas, (box) => (this.#stage.size = canvasSize(box)), signal);
     watchVisibility(this, (isVisible) => this.#onVisibility(isVisible), signal);
+    watchReducedMotion((isReduced) => (this.#stage.isCalm = isReduced), signal);
+    if (!this.#wasNear) watchNearness(this, () => this.#onNear(), signal);
     this.#bindControls();
     this.#label();
     if (this.#source() !== this.#requested) this.#load();
@@ -139,12 +206,16 @@ export class RtViewerElement extends ReflectedElement {
 
   attributeChangedCallback(name: string): void {
     if (name === "src" && this.#scene === undefined) this.#load();
+    else if (name === "loading" && this.#requested === undefined) this.#load();
     else if (name === "controls") this.#bindControls();
     else if (name === "stats") this.#showPanel();
     else if (name === "alt") this.#label();
     else if (name === "paused") this.#stage.isPaused = this.paused;
-    else if (name === "exposure") this.#stage.exposure = this.exposure;
+    else if (name === "exposure" || name === "tone-map") this.#stage.look = this.#look();
+    else if (name === "camera-orbit") this.#stage.orbit = parseCameraOrbit(this.cameraOrbit);
     else if (settingOfAttribute(name) !== undefined) this.settingsChanged();
+    if (name === "controls") this.#label();
+    if (name === "poster" || name === "loading") this.#curtain.setPoster(this.poster, this.loading);
     if (this.tracer !== undefined) this.#panel.setKnobs(this.#knobs(this.tracer));
   }
 
@@ -159,24 +230,30 @@ export class RtViewerElement extends ReflectedElement {
   #load(): void {
     if (this.#connection === undefined) return;
     const source = this.#source();
+    if (source === undefined && this.#requested !== undefined) this.#dispose();
+    if (source === undefined || (this.loading === "lazy" && !this.#wasNear)) return;
     this.#requested = source;
-    if (source === undefined) {
-      this.#dispose();
-      return;
-    }
     const missing = missingWebGpu({ hasGpu: "gpu" in navigator, isSecure: globalThis.isSecureContext });
     if (missing !== undefined) {
       this.#fail(new WebGpuError(missing));
       return;
     }
     const { baseURI } = this.ownerDocument;
-    void this.#stage.show(async (signal) =>
-      typeof source === "string" ? fetchScene(source, baseURI, signal) : source,
-    );
+    this.#liveRegion.noteLoading();
+    void this.#stage.show(async (signal, report) => {
+      if (typeof source !== "string") return source;
+      report("fetching");
+      return fetchScene(source, baseURI, signal);
+    });
+  }
+
+  #onNear(): void {
+    this.#wasNear = true;
+    if (this.#requested === undefined) this.#load();
   }
 
   #onScene(): void {
-    this.#message.clear();
+    this.#clearMessage();
     this.#showPanel();
     this.#updateLoop();
   }
@@ -201,6 +278,9 @@ export class RtViewerElement extends ReflectedElement {
 
   #fail(error: Error): void {
     this.#message.show(describeError(error));
+    this.#canvas.inert = true;
+    this.#curtain.hideProgress();
+    this.#liveRegion.clear();
     this.#updateLoop();
     this.#emit("error", { error });
   }
@@ -208,9 +288,16 @@ export class RtViewerElement extends ReflectedElement {
   #dispose(): void {
     this.#requested = undefined;
     this.#panel.hide();
-    this.#message.clear();
+    this.#clearMessage();
+    this.#curtain.close();
+    this.#liveRegion.clear();
     this.#stage.clear();
     this.#updateLoop();
+  }
+
+  #clearMessage(): void {
+    this.#message.clear();
+    this.#canvas.inert = false;
   }
 
   #bindControls(): void {
@@ -263,7 +350,19 @@ export class RtViewerElement extends ReflectedElement {
   }
 
   #label(): void {
-    this.#canvas.setAttribute("aria-label", this.alt || DEFAULT_LABEL);
+    labelCanvas(this.#canvas, this.alt, this.controls);
+  }
+
+  #look(): View {
+    return { exposure: this.exposure, toneMap: this.toneMap };
+  }
+
+  #sampledTracer(): PathTracer {
+    const { tracer } = this;
+    if (tracer === undefined || tracer.stats.samples === 0) {
+      throw new RtViewerError("there is no picture yet: wait for the event `ready`");
+    }
+    return tracer;
   }
 
   #emit<K extends keyof RtViewerEventMap>(type: K, detail: RtViewerEventMap[K]["detail"]): void {

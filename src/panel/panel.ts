@@ -1,9 +1,8 @@
-import { Pane } from "tweakpane";
 import type { Stats } from "../renderer/stats";
 import { formatFps, formatPercent } from "./format";
 import { addKnobs, type PanelKnobs } from "./knobs";
 import { addFigures, addProgram } from "./monitors";
-import { adoptPanelStyles } from "./styles";
+import { StyledPane } from "./styles";
 
 export type { PanelKnobs };
 
@@ -40,9 +39,7 @@ const REFRESH_INTERVAL_MS = 200;
 /** Makes a panel with graphs of speed and error, the tracer's figures, and its live knobs. The caller disposes it. */
 export function createPanel(options: PanelOptions): Panel {
   const { container, stats, isPaused = () => false, isExpanded = true } = options;
-  const pane = new Pane({ container, title: titleOf(stats, isPaused()), expanded: isExpanded });
-  const root = container.getRootNode();
-  if (root instanceof Document || root instanceof ShadowRoot) adoptPanelStyles(root);
+  const pane = new StyledPane({ container, title: titleOf(stats, isPaused()), expanded: isExpanded });
 
   const refreshFigures = addFigures(pane, stats);
   const knobs = addKnobs(pane, options);

@@ -1,3 +1,5 @@
+import { Pane, type TpPluginBundle } from "tweakpane";
+
 /** Tweakpane's theme variables: dark glass over the picture, in the page's own type. */
 const THEME = /* css */ `
 .tp-rotv {
@@ -41,15 +43,22 @@ const THEME = /* css */ `
 
 const sheets = new Map<string, CSSStyleSheet>();
 
-/**
- * Gives the tree that holds a panel Tweakpane's style and ours. Tweakpane itself puts its style into the head of the
- * document, where a shadow root does not see it.
- */
-export function adoptPanelStyles(root: Document | ShadowRoot): void {
-  const { head } = root instanceof Document ? root : root.ownerDocument;
-  const own = root instanceof Document ? [] : [...head.querySelectorAll("style[data-tp-style]")];
-  for (const css of [...own.map((style) => style.textContent ?? ""), THEME]) {
-    const sheet = sheetOf(css);
+/** Tweakpane's pane, with its style and ours in the tree that it is in, a shadow root or the document. */
+export class StyledPane extends Pane {
+  /**
+   * Takes the style out of Tweakpane's bundle, which would put it into the head of the document: a shadow root does not see
+   * it there, and a page with a strict content security policy does not allow it.
+   */
+  override registerPlugin({ css, ...bundle }: TpPluginBundle): void {
+    super.registerPlugin(bundle);
+    const root = this.element.getRootNode();
+    if (root instanceof Document || root instanceof ShadowRoot) adopt(root, [css ?? "", THEME]);
+  }
+}
+
+/** Each text once, whatever its number of panels. */
+function adopt(root: Document | ShadowRoot, texts: readonly string[]): void {
+  for (const sheet of texts.map(sheetOf)) {
     if (!root.adoptedStyleSheets.includes(sheet)) root.adoptedStyleSheets.push(sheet);
   }
 }
