@@ -1,6 +1,7 @@
 export { RtViewerError, SceneError, type SceneIssue, UnsupportedError, WebGpuError } from "./errors";
 export type { View } from "./renderer/display";
 export { PathTracer, type PathTracerOptions } from "./renderer/pathTracer";
+export type { Picked } from "./renderer/picker";
 export { DEFAULT_SETTINGS, type Settings } from "./renderer/settings";
 export type { Stats } from "./renderer/stats";
 export * from "./scene/builders";

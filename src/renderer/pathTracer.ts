@@ -13,6 +13,7 @@ import { cameraBasis, lampPixels, rayStart } from "./camera";
 import { Display, readPicture, type View } from "./display";
 import { InFlight } from "./inFlight";
 import { Meter } from "./meter";
+import { type Picked, Picker } from "./picker";
 import { createProgram, type Program, programKey } from "./program";
 import { Progress } from "./progress";
 import { DEFAULT_SETTINGS, type Settings } from "./settings";
@@ -56,6 +57,7 @@ export class PathTracer {
   readonly #errorPipeline: GPUComputePipeline;
   readonly #inFlight: InFlight;
   readonly #meter: Meter;
+  readonly #picker: Picker;
 
   #scene: ResolvedScene;
   #camera: ResolvedCamera;
@@ -137,6 +139,7 @@ export class PathTracer {
     this.#shared = this.#sharedUniforms();
     device.addEventListener("uncapturederror", this.#onDeviceError);
     this.#baked = new Baked(device);
+    this.#picker = new Picker(device);
     this.#meter = new Meter(adapterName(device));
     this.#meter.useProgram(program);
   }
@@ -268,6 +271,19 @@ export class PathTracer {
   }
 
   /**
+   * Finds what is seen at a point of the picture, by one ray through it. The first call compiles what that takes.
+   *
+   * @param x - in pixels from the left edge; the middle of the first pixel is 0.5.
+   * @param y - from the upper edge.
+   * @returns `undefined` where there is nothing, outside of the picture, and after `dispose()`.
+   * @throws {WebGpuError} if the device fails.
+   */
+  pick(x: number, y: number): Promise<Picked | undefined> {
+    const { scene, camera, width, height } = this;
+    return this.#picker.pick({ scene, compiled: this.#compiled, camera, width, height }, x, y);
+  }
+
+  /**
    * Submits about one animation frame's work, unless the device is still busy or nothing is left to do. Never waits.
    *
    * @returns whether work was submitted.
@@ -311,6 +327,7 @@ export class PathTracer {
     this.#trace.dispose();
     this.#baked.drop();
     this.#errorPass.dispose();
+    this.#picker.dispose();
     this.#inFlight.dispose();
     this.#film.dispose();
     if (this.#display instanceof Display) this.#display.dispose();
