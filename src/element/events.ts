@@ -1,4 +1,5 @@
 import type { PathTracer } from "../renderer/pathTracer";
+import type { Light, SceneObject } from "../scene/schema";
 
 /** `ready`: the scene is loaded and compiled and its first picture is on the page. Once per scene. */
 export type ReadyDetail = {
@@ -24,12 +25,22 @@ export type ErrorDetail = {
   readonly error: Error;
 };
 
+/**
+ * `pick`: an object or a light of the scene has been chosen, in the picture or in the panel, whose knobs it now has; or none
+ * any more. `index` is its place in `objects` or `lights`.
+ */
+export type PickDetail =
+  | { readonly kind: "object"; readonly index: number; readonly object: SceneObject }
+  | { readonly kind: "light"; readonly index: number; readonly light: Light }
+  | { readonly kind: "none" };
+
 /** The events of `<rt-viewer>`. None of them bubbles. */
 export interface RtViewerEventMap {
   ready: CustomEvent<ReadyDetail>;
   progress: CustomEvent<ProgressDetail>;
   converged: CustomEvent<ConvergedDetail>;
   error: CustomEvent<ErrorDetail>;
+  pick: CustomEvent<PickDetail>;
 }
 
 /** Every event an `<rt-viewer>` can receive: its own, and those of any HTML element. */

@@ -1,8 +1,10 @@
-import type { Panel, PanelKnobs, PanelOptions } from "../panel/panel";
+import type { Panel, PanelKnobs, PanelOptions, SceneEditor, ScenePart } from "../panel/panel";
 import type { Stats } from "../renderer/stats";
 
 /** What the panel shows and whom it tells. */
-export type PanelSource = Pick<PanelOptions, "stats" | "knobs" | "onChange" | "onReset" | "isPaused">;
+export type PanelSource = Pick<PanelOptions, "stats" | "knobs" | "onChange" | "onReset" | "isPaused" | "wgsl"> & {
+  readonly editor: SceneEditor;
+};
 
 /** Below this the panel would hide the picture, so it starts folded. CSS pixels. */
 const ROOMY = { width: 400, height: 260 };
@@ -12,6 +14,7 @@ export class PanelHost {
   readonly element: HTMLElement;
   #panel: Panel | undefined;
   #stats: Stats | undefined;
+  #selected: ScenePart | undefined;
   /** Counts calls of `show` and `hide`: what was asked for last, holds. */
   #turn = 0;
 
@@ -23,7 +26,12 @@ export class PanelHost {
 
   /** Shows a panel for this source, in place of one for other stats. Fails if the panel's code cannot be loaded. */
   async show(source: PanelSource, isFolded: boolean): Promise<void> {
-    if (this.#stats === source.stats) return this.setKnobs(source.knobs);
+    if (this.#stats === source.stats) {
+      this.setKnobs(source.knobs);
+      this.#selected = undefined;
+      this.#panel?.setScene(source.editor.scene);
+      return;
+    }
     this.hide();
     this.#stats = source.stats;
     const turn = this.#turn;
@@ -31,7 +39,22 @@ export class PanelHost {
     if (turn !== this.#turn) return;
     const room = this.element.parentNode instanceof ShadowRoot ? this.element.parentNode.host : this.element;
     const isExpanded = !isFolded && room.clientWidth >= ROOMY.width && room.clientHeight >= ROOMY.height;
-    this.#panel = createPanel({ container: this.element, isExpanded, ...source });
+    const onSelect = (part: ScenePart | undefined) => {
+      this.#selected = part;
+      source.editor.onSelect(part);
+    };
+    const editor = { ...source.editor, onSelect };
+    this.#panel = createPanel({ container: this.element, isExpanded, ...source, editor });
+  }
+
+  /** What the panel has the knobs of. */
+  get selected(): ScenePart | undefined {
+    return this.#selected;
+  }
+
+  select(part: ScenePart | undefined): void {
+    this.#selected = part;
+    this.#panel?.select(part);
   }
 
   hide(): void {
@@ -39,6 +62,7 @@ export class PanelHost {
     this.#panel?.dispose();
     this.#panel = undefined;
     this.#stats = undefined;
+    this.#selected = undefined;
   }
 
   /** Shows knobs that were turned elsewhere. */

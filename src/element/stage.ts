@@ -6,6 +6,7 @@ import type { PixelSize } from "./canvasSize";
 import { CanvasView } from "./canvasView";
 import type { ProgressDetail, ReadyDetail } from "./events";
 import { LatestTask } from "./latestTask";
+import { SceneEdits } from "./sceneEdits";
 
 /** Whom the stage tells what happens on it. */
 export type StageListener = {
@@ -25,6 +26,9 @@ export class Stage {
   readonly #listener: StageListener;
   readonly #task = new LatestTask();
   #view: CanvasView | undefined;
+  #edits: SceneEdits | undefined;
+  /** Scenes that are being loaded; those that were overtaken too. */
+  #loads = 0;
   #size: PixelSize = { width: 1, height: 1 };
   #settings: Settings = DEFAULT_SETTINGS;
   #exposure = 0;
@@ -90,6 +94,8 @@ export class Stage {
   /** Shows a scene in place of what there is. Of several calls the last one wins. Never rejects: errors are reported. */
   async show(read: (signal: AbortSignal) => Promise<Scene>): Promise<void> {
     const requestedAt = performance.now();
+    this.#loads += 1;
+    this.#edits?.cancel();
     try {
       const isLast = await this.#task.run(read, (scene, signal) => this.#put(scene, signal));
       if (!isLast || this.#view === undefined) return;
@@ -98,7 +104,20 @@ export class Stage {
       this.#listener.onScene();
     } catch (error) {
       this.#listener.onError(toError(error));
+    } finally {
+      this.#loads -= 1;
     }
+  }
+
+  /**
+   * Shows the scene with other values, seen from where the camera is. Errors are reported.
+   *
+   * @returns false, and nothing is done, without a scene and while another one is loaded.
+   */
+  edit(scene: Scene): boolean {
+    if (this.#edits === undefined || this.#loads > 0) return false;
+    this.#edits.show(scene).catch((error: unknown) => this.#listener.onError(toError(error)));
+    return true;
   }
 
   /** Does the work of one frame. */
@@ -123,6 +142,8 @@ export class Stage {
     this.#task.cancel();
     this.#view?.dispose();
     this.#view = undefined;
+    this.#edits?.cancel();
+    this.#edits = undefined;
     this.#requestedAt = undefined;
     this.#reportedSamples = 0;
     this.#wasConverged = false;
@@ -136,6 +157,7 @@ export class Stage {
         return;
       }
       this.#view = new CanvasView(tracer, this.#canvas);
+      this.#edits = new SceneEdits(tracer);
       this.#watchDevice(this.#view);
     } else {
       await this.#view.tracer.setScene(scene);
