@@ -19,6 +19,9 @@ export type Plot = {
   readonly guide?: readonly [Point, Point];
 };
 
+/** What is written at a point of the drawing, in units of it. */
+type Text = { readonly text: string; readonly left: number; readonly top: number; readonly className: string };
+
 const SVG = "http://www.w3.org/2000/svg";
 // Of the drawing, in units of its own; it is stretched to its place.
 const SIZE = 100;
@@ -84,22 +87,23 @@ export class Graph {
     this.#grid.setAttribute("d", ruled.join(""));
     this.#guide.setAttribute("d", guide ? `M${guide.map(([px, py]) => `${across(px)} ${down(py)}`).join("L")}` : "");
     this.#write([
-      ...x.marks.map(({ at, text }) => ({ text, left: across(at), top: SIZE })),
-      ...y.marks.map(({ at, text }) => ({ text, left: 0, top: down(at) })),
+      ...x.marks.map(({ at, text }) => ({ text, left: across(at), top: SIZE, className: "below" })),
+      ...y.marks.map(({ at, text }) => ({ text, left: 0, top: down(at), className: "" })),
     ]);
   }
 
   /** In HTML, because the drawing's own text would be stretched with it. Elements are used again. */
-  #write(texts: readonly { readonly text: string; readonly left: number; readonly top: number }[]): void {
+  #write(texts: readonly Text[]): void {
     while (this.#texts.length > texts.length) this.#texts.pop()?.remove();
     while (this.#texts.length < texts.length) {
       const element = this.#plot.ownerDocument.createElement("span");
       this.#plot.append(element);
       this.#texts.push(element);
     }
-    for (const [i, { text, left, top }] of texts.entries()) {
+    for (const [i, { text, left, top, className }] of texts.entries()) {
       const element = this.#texts[i]!;
       setText(element, text);
+      element.className = className;
       element.style.left = `${left}%`;
       element.style.top = `${top}%`;
     }

@@ -30,7 +30,8 @@ function plotFps(values: readonly number[]): Plot {
   return {
     x: { min: FPS_POINTS - 1, max: 0, marks: [] },
     y: { min: 0, max, marks: [{ at: COMMON_FPS, text: String(COMMON_FPS) }] },
-    line: values.map((fps, i) => [values.length - 1 - i, fps]),
+    // A rate that is not known yet is no point.
+    line: values.map((fps, i) => [values.length - 1 - i, fps > 0 ? fps : Number.NaN]),
   };
 }
 

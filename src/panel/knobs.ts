@@ -27,7 +27,7 @@ const SLIDERS = {
 
 const CHOICES = {
   estimator: { label: "estimator", options: { "path tracing": "path", uniform: "uniform" } },
-  sampler: { label: "points", options: { Sobol: "sobol", independent: "independent" } },
+  sampler: { label: "sampler", options: { Sobol: "sobol", independent: "independent" } },
 } as const;
 
 /** Adds the folder with the knobs. `set` shows values that were changed elsewhere without calling `onChange`. */
@@ -49,9 +49,14 @@ export function addKnobs(pane: FolderApi, options: KnobOptions): { set(values: P
     const binding = folder.addBinding(values, name, CHOICES[name]);
     return binding.on("change", ({ value }) => change({ [name]: value }));
   });
-  // 0 is never.
   const target = folder
-    .addBinding(values, "targetPercent", { label: "stop at % error", min: 0, keyScale: 0.1, pointerScale: 0.01 })
+    .addBinding(values, "targetPercent", {
+      label: "stop at % error",
+      min: 0,
+      keyScale: 0.1,
+      pointerScale: 0.01,
+      format: (percent) => (percent === 0 ? "never" : String(Number(percent.toPrecision(3)))),
+    })
     .on("change", ({ value }) => change({ targetError: value / 100 }));
   folder.addButton({ title: "Start over" }).on("click", options.onReset);
 

@@ -5,6 +5,7 @@ export function nameFields(element: HTMLElement): void {
     if (!label) continue;
     const fields = [...row.querySelectorAll("input, select, textarea")];
     const axes = row.querySelector(".tp-pndtxtv") && fields.length > 1 ? ["x", "y", "z"] : [];
+    row.querySelector(".tp-colswv_b")?.setAttribute("aria-label", `choose ${label}`);
     for (const [i, field] of fields.entries()) {
       field.setAttribute("aria-label", axes[i] === undefined ? label : `${label} ${axes[i]}`);
     }

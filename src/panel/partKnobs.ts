@@ -28,14 +28,14 @@ export function addMaterialKnobs(
     .addBinding(shown, "color", { label: "colour", picker: "inline" })
     .on("change", ({ value }) => change({ baseColor: fromHex(value) }));
   folder
-    .addBinding(shown, "metallic", { min: 0, max: 1, step: 0.01 })
-    .on("change", ({ value }) => change({ metallic: value }));
+    .addBinding(shown, "metallic", { min: 0, max: 1 })
+    .on("change", ({ value }) => change({ metallic: rounded(value) }));
   folder
-    .addBinding(shown, "roughness", { min: 0, max: 1, step: 0.01 })
-    .on("change", ({ value }) => change({ roughness: value }));
+    .addBinding(shown, "roughness", { min: 0, max: 1 })
+    .on("change", ({ value }) => change({ roughness: rounded(value) }));
   const iorKnob = folder
-    .addBinding(shown, "ior", { label: "ior", min: 1, max: Math.max(3, ior), step: 0.01 })
-    .on("change", ({ value }) => change({ ior: value }));
+    .addBinding(shown, "ior", { label: "ior", min: 1, max: Math.max(3, ior) })
+    .on("change", ({ value }) => change({ ior: rounded(value) }));
   const maskingKnob = folder
     .addBinding(shown, "masking", { options: { Smith: "smith", "Schlick–Beckmann": "schlick-beckmann" } })
     // Multiple scattering is known for Smith's masking only.
@@ -95,6 +95,11 @@ const LEAST_RADIUS = 1e-3;
 function scalesFor(value: number) {
   const size = value > 0 ? value : 1;
   return { pointerScale: DRAG_SHARE * size, keyScale: KEY_SHARE * size, format: formatShort };
+}
+
+/** To thousandths. Tweakpane's own steps are counted from the first value, and miss 0 and 1 by a rounding error. */
+function rounded(value: number): number {
+  return Math.round(1000 * value) / 1000;
 }
 
 /** Four digits: as many as fit. */

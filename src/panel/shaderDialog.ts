@@ -17,7 +17,7 @@ export function openShaderDialog(container: HTMLElement, wgsl: string): () => vo
   dialog.setAttribute("aria-label", "Shader of this scene");
 
   const lineCount = wgsl.trimEnd().split("\n").length;
-  const title = create("h2", "Shader of this scene");
+  const title = create("h2", "Shader");
   const size = create("span", `WGSL · ${lineCount} lines`);
   const copy = create("button", "Copy");
   copy.setAttribute("aria-live", "polite");

@@ -4,6 +4,7 @@ import { Pane, type TpPluginBundle } from "tweakpane";
 const THEME = /* css */ `
 .tp-rotv, .shader {
   --glass: rgb(19 20 24 / 88%);
+  --paper: #15161a;
   --ink: #e6e8ee;
   --faint-ink: #a9adb8;
   --line: #9fd8b4;
@@ -16,6 +17,7 @@ const THEME = /* css */ `
 @media (prefers-color-scheme: light) {
   .tp-rotv, .shader {
     --glass: rgb(250 250 252 / 92%);
+    --paper: #fcfcfd;
     --ink: #1d1f26;
     --faint-ink: #555a68;
     --line: #17733f;
@@ -82,12 +84,12 @@ const THEME = /* css */ `
 .graph-line { stroke: var(--line); stroke-width: 1.5; stroke-linejoin: round; }
 .graph-plot span {
   position: absolute;
-  padding: 0 3px 1px;
-  transform: translateY(-100%);
+  padding: 1px 3px;
   color: var(--faint-ink);
   font-size: 9px;
   white-space: nowrap;
 }
+.graph-plot span.below { transform: translateY(-100%); }
 
 .shader {
   box-sizing: border-box;
@@ -96,15 +98,14 @@ const THEME = /* css */ `
   padding: 0;
   border: 1px solid var(--rule);
   border-radius: 10px;
-  background: var(--glass);
+  background: var(--paper);
   color: var(--ink);
   font: 13px/1.4 system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif;
-  backdrop-filter: blur(12px);
 }
 .shader[open] { display: flex; flex-direction: column; }
 .shader::backdrop { background: rgb(0 0 0 / 45%); }
 .shader header { display: flex; align-items: baseline; gap: 10px; padding: 10px 10px 10px 16px; border-bottom: 1px solid var(--rule); }
-.shader h2 { margin: 0; font: inherit; font-weight: 600; }
+.shader h2 { margin: 0; font: inherit; font-weight: 600; white-space: nowrap; }
 .shader header span { flex: 1; color: var(--faint-ink); white-space: nowrap; overflow: hidden; text-overflow: ellipsis; }
 .shader button {
   padding: 5px 12px;
