@@ -6,8 +6,8 @@ export type CoursePoint = {
   readonly error: number;
 };
 
-// Between a point and the next but one: 240 points go from a tenth of a second to a day and more.
-const RATIO = 1.06;
+// Between a point and the next but one: 150 points go from a tenth of a second to a day and more.
+const RATIO = 1.1;
 
 /** The error against the time it took, at points about equidistant in the logarithm of time, and now. */
 export class ErrorCourse {

@@ -79,13 +79,13 @@ export class Graph {
     const across = (value: number) => round(shareOf(value, x) * SIZE);
     const down = (value: number) => round((1 - shareOf(value, y)) * SIZE);
     const points = line.filter((point) => point.every(Number.isFinite));
-    this.#line.setAttribute("points", points.map(([px, py]) => `${across(px)},${down(py)}`).join(" "));
+    setAttribute(this.#line, "points", points.map(([px, py]) => `${across(px)},${down(py)}`).join(" "));
     const ruled = [
       ...x.marks.map(({ at }) => `M${across(at)} 0V${SIZE}`),
       ...y.marks.map(({ at }) => `M0 ${down(at)}H${SIZE}`),
     ];
-    this.#grid.setAttribute("d", ruled.join(""));
-    this.#guide.setAttribute("d", guide ? `M${guide.map(([px, py]) => `${across(px)} ${down(py)}`).join("L")}` : "");
+    setAttribute(this.#grid, "d", ruled.join(""));
+    setAttribute(this.#guide, "d", guide ? `M${guide.map(([px, py]) => `${across(px)} ${down(py)}`).join("L")}` : "");
     this.#write([
       ...x.marks.map(({ at, text }) => ({ text, left: across(at), top: SIZE, className: "below" })),
       ...y.marks.map(({ at, text }) => ({ text, left: 0, top: down(at), className: "" })),
@@ -103,9 +103,10 @@ export class Graph {
     for (const [i, { text, left, top, className }] of texts.entries()) {
       const element = this.#texts[i]!;
       setText(element, text);
-      element.className = className;
-      element.style.left = `${left}%`;
-      element.style.top = `${top}%`;
+      setAttribute(element, "class", className);
+      const [x, y] = [`${left}%`, `${top}%`];
+      if (element.style.left !== x) element.style.left = x;
+      if (element.style.top !== y) element.style.top = y;
     }
   }
 }
@@ -124,6 +125,12 @@ function shareOf(value: number, { min, max }: Axis): number {
 /** More digits than a screen shows only make long text. */
 function round(value: number): number {
   return Math.round(100 * value) / 100;
+}
+
+// What is set again to the same would be laid out again.
+
+function setAttribute(element: Element, name: string, value: string): void {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }
 
 function setText(element: HTMLElement, text: string): void {

@@ -35,6 +35,9 @@ function plotFps(values: readonly number[]): Plot {
   };
 }
 
+// Decades by which the time axis grows. In between the grid stays as it is.
+const TIME_STEP = 0.1;
+
 /** Adds a graph of the error against the time of sampling, both as logarithms: its slope is the rate of convergence. */
 export function addErrorGraph(pane: FolderApi, stats: Stats): LiveGraph {
   const graph = new Graph(pane);
@@ -53,7 +56,8 @@ function plotError(points: readonly CoursePoint[]): Plot {
   const first = points[0] ?? { seconds: 0.1, error: 1 };
   const line = points.map(({ seconds, error }) => [Math.log10(seconds), Math.log10(error)] as const);
   const start = Math.log10(first.seconds);
-  const end = Math.max(start + 1, ...line.map(([time]) => time));
+  const now = line.at(-1)?.[0] ?? start;
+  const end = start + Math.max(1, Math.ceil((now - start) / TIME_STEP) * TIME_STEP);
   const highest = Math.max(0, ...line.map(([, error]) => Math.ceil(error)));
   const lowest = Math.floor(Math.min(-2, ...line.map(([, error]) => error)));
   const x: Axis = { min: start, max: end, marks: decades(start + 0.1, end - 0.1, formatSeconds) };

@@ -37,7 +37,8 @@ export type PanelOptions = {
 
 export type Panel = {
   /**
-   * Shows the figures of now, at most five times a second, and hands on changes of the scene. To be called every frame.
+   * Shows the figures of now, one part of the panel in each call and all of it up to five times a second, and hands on changes
+   * of the scene. To be called every frame.
    *
    * @param nowMs - as of `performance.now()`, which is the default.
    */
@@ -74,6 +75,19 @@ export function createPanel(options: PanelOptions): Panel {
   }
   addCopyButton(pane, container, stats);
   nameFields(container);
+
+  // One in each frame, so that none has much to do.
+  const parts = [
+    () => {
+      fpsGraph.observe();
+      pane.title = titleOf(stats, isPaused());
+    },
+    fpsGraph.draw,
+    errorGraph.draw,
+    refreshFigures,
+    refreshProgram,
+  ];
+  let nextPart = 0;
   let refreshedAt = Number.NEGATIVE_INFINITY;
   let isDisposed = false;
 
@@ -82,15 +96,10 @@ export function createPanel(options: PanelOptions): Panel {
       if (isDisposed) return;
       scene?.flush();
       errorGraph.observe();
-      if (nowMs - refreshedAt < REFRESH_INTERVAL_MS) return;
-      refreshedAt = nowMs;
-      fpsGraph.observe();
-      pane.title = titleOf(stats, isPaused());
-      if (!pane.expanded) return;
-      fpsGraph.draw();
-      errorGraph.draw();
-      refreshFigures();
-      refreshProgram();
+      if (nextPart === 0 && nowMs - refreshedAt < REFRESH_INTERVAL_MS) return;
+      if (nextPart === 0) refreshedAt = nowMs;
+      parts[nextPart]!();
+      nextPart = pane.expanded ? (nextPart + 1) % parts.length : 0;
     },
     setKnobs(values) {
       if (!isDisposed) knobs.set(values);

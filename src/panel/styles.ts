@@ -60,7 +60,7 @@ const THEME = /* css */ `
   --tp-button-foreground-color: var(--ink);
 }
 .tp-rotv_b { padding-left: 8px; }
-.tp-rotv_t { text-align: left; }
+.tp-rotv_t { text-align: left; contain: content; }
 .tp-rotv_t, .tp-lblv_l, .tp-sglv_i, .graph-head { font-variant-numeric: tabular-nums; }
 .tp-lblv_l { padding-right: 4px; white-space: nowrap; text-overflow: ellipsis; }
 .tp-fldv_t { overflow: hidden; text-overflow: ellipsis; }
@@ -74,10 +74,10 @@ const THEME = /* css */ `
 .offscreen { position: fixed; inset: 0 auto auto -99px; width: 1px; height: 1px; }
 
 .graph { padding: 0 6px; }
-.graph-head { display: flex; justify-content: space-between; padding-block: 3px; }
+.graph-head { display: flex; justify-content: space-between; height: 18px; line-height: 18px; contain: strict; }
 .graph-value { color: var(--ink); }
 .graph-note { color: var(--faint-ink); }
-.graph-plot { position: relative; height: 52px; background: var(--well); border-radius: 4px; overflow: hidden; }
+.graph-plot { position: relative; height: 52px; background: var(--well); border-radius: 4px; contain: strict; }
 .graph-plot svg { display: block; width: 100%; height: 100%; fill: none; }
 .graph-grid { stroke: var(--rule); }
 .graph-guide { stroke: var(--faint-ink); stroke-dasharray: 3 3; opacity: 0.7; }
