@@ -1,5 +1,4 @@
 import type { Panel, PanelKnobs, PanelOptions, SceneEditor, ScenePart } from "../panel/panel";
-import type { Stats } from "../renderer/stats";
 
 /** What the panel shows and whom it tells. */
 export type PanelSource = Pick<PanelOptions, "stats" | "knobs" | "onChange" | "onReset" | "isPaused" | "wgsl"> & {
@@ -13,7 +12,7 @@ const ROOMY = { width: 400, height: 260 };
 export class PanelHost {
   readonly element: HTMLElement;
   #panel: Panel | undefined;
-  #stats: Stats | undefined;
+  #source: PanelSource | undefined;
   #selected: ScenePart | undefined;
   /** Counts calls of `show` and `hide`: what was asked for last, holds. */
   #turn = 0;
@@ -26,17 +25,21 @@ export class PanelHost {
 
   /** Shows a panel for this source, in place of one for other stats. Fails if the panel's code cannot be loaded. */
   async show(source: PanelSource, isFolded: boolean): Promise<void> {
-    if (this.#stats === source.stats) {
-      this.setKnobs(source.knobs);
+    const isShown = this.#source?.stats === source.stats;
+    if (!isShown) this.hide();
+    this.#source = source;
+    if (isShown) {
       this.#selected = undefined;
+      this.#panel?.setKnobs(source.knobs);
       this.#panel?.setScene(source.editor.scene);
       return;
     }
-    this.hide();
-    this.#stats = source.stats;
     const turn = this.#turn;
     const { createPanel } = await import("../panel/panel");
-    if (turn !== this.#turn) return;
+    if (turn === this.#turn) this.#create(createPanel, this.#source, isFolded); // the source may be a newer one
+  }
+
+  #create(createPanel: (options: PanelOptions) => Panel, source: PanelSource, isFolded: boolean): void {
     const room = this.element.parentNode instanceof ShadowRoot ? this.element.parentNode.host : this.element;
     const isExpanded = !isFolded && room.clientWidth >= ROOMY.width && room.clientHeight >= ROOMY.height;
     const onSelect = (part: ScenePart | undefined) => {
@@ -45,6 +48,7 @@ export class PanelHost {
     };
     const editor = { ...source.editor, onSelect };
     this.#panel = createPanel({ container: this.element, isExpanded, ...source, editor });
+    this.#panel.select(this.#selected);
   }
 
   /** What the panel has the knobs of. */
@@ -61,7 +65,7 @@ export class PanelHost {
     this.#turn += 1;
     this.#panel?.dispose();
     this.#panel = undefined;
-    this.#stats = undefined;
+    this.#source = undefined;
     this.#selected = undefined;
   }
 

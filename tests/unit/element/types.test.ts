@@ -1,5 +1,6 @@
 import { expectTypeOf, it } from "vitest";
 import type { RtViewerElement } from "../../../src/element";
+import type { Rgb } from "../../../src/index";
 import type { Stats } from "../../../src/renderer/stats";
 
 it("listeners know the details of the element's events, and the events of any element", () => {
@@ -7,6 +8,10 @@ it("listeners know the details of the element's events, and the events of any el
     viewer.addEventListener("ready", ({ detail }) => expectTypeOf(detail.milliseconds).toBeNumber());
     viewer.addEventListener("progress", ({ detail }) => expectTypeOf(detail.samples).toBeNumber());
     viewer.addEventListener("error", ({ detail }) => expectTypeOf(detail.error).toEqualTypeOf<Error>());
+    viewer.addEventListener("pick", ({ detail }) => {
+      if (detail.kind === "object") expectTypeOf(detail.object.material).toBeString();
+      if (detail.kind === "light") expectTypeOf(detail.light.power).toEqualTypeOf<Rgb>();
+    });
     viewer.addEventListener("keydown", ({ key }) => expectTypeOf(key).toBeString());
     viewer.addEventListener("something-else", (event) => expectTypeOf(event).toEqualTypeOf<Event>());
   };
