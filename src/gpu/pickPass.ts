@@ -1,6 +1,8 @@
+import type { Features } from "../compile/features";
 import { FRAME } from "../compile/layouts";
 import { BufferUsage, MapMode, ShaderStage } from "./flags";
 import { createComputePipeline } from "./pipelines";
+import { geometryLayout, type SceneGeometry } from "./sceneGeometry";
 import type { FrameUniforms } from "./tracePass";
 
 const NONE = 0xffffffff;
@@ -9,27 +11,33 @@ const FOUND_BYTES = 8;
 /** What a ray hits first: a primitive's id, and the distance from the ray's start. */
 export type Found = { readonly id: number; readonly t: number };
 
+/** What `pick` in `wgsl/pick.wgsl` is compiled to, for all scenes that need the same features. */
+export type PickPipeline = {
+  readonly pipeline: GPUComputePipeline;
+  /** The part of its bind group that a scene's geometry fills. */
+  readonly geometry: readonly GPUBindGroupLayoutEntry[];
+};
+
 /**
- * Compiles the entry point `pick` of `wgsl/pick.wgsl`. Bindings: frame, scene, found.
+ * Bindings: frame, scene, found, geometry. Not every program reads the scene uniform.
  *
  * @throws {WebGpuError} with the compiler's messages.
  */
-export function createPickPipeline(device: GPUDevice, wgsl: string): Promise<GPUComputePipeline> {
-  // Not every program reads the scene uniform, so that the layout has to be told.
+export async function createPickPipeline(device: GPUDevice, wgsl: string, features: Features): Promise<PickPipeline> {
   const types = ["uniform", "uniform", "storage"] as const;
-  const group = device.createBindGroupLayout({
-    label: "pick",
-    entries: types.map((type, binding) => ({ binding, visibility: ShaderStage.COMPUTE, buffer: { type } })),
-  });
+  const own = types.map((type, binding) => ({ binding, visibility: ShaderStage.COMPUTE, buffer: { type } }));
+  const geometry = geometryLayout(features);
+  const group = device.createBindGroupLayout({ label: "pick", entries: [...own, ...geometry] });
   const layout = device.createPipelineLayout({ label: "pick", bindGroupLayouts: [group] });
-  return createComputePipeline(device, "pick", wgsl, "pick", layout);
+  return { pipeline: await createComputePipeline(device, "pick", wgsl, "pick", layout), geometry };
 }
 
-/** Traces the ray through the middle of a picture; `undefined` where it hits nothing. What it needs it frees again. */
+/** Traces the ray through the middle of a picture; `undefined` where it hits nothing. What it makes it frees again. */
 export async function runPick(
   device: GPUDevice,
-  pipeline: GPUComputePipeline,
+  { pipeline, geometry: layout }: PickPipeline,
   scene: ArrayBuffer,
+  geometry: SceneGeometry,
   frame: FrameUniforms,
 ): Promise<Found | undefined> {
   const { UNIFORM, STORAGE, COPY_DST, COPY_SRC, MAP_READ } = BufferUsage;
@@ -49,7 +57,10 @@ export async function runPick(
   const bindGroup = device.createBindGroup({
     label: "pick",
     layout: pipeline.getBindGroupLayout(0),
-    entries: [frameBuffer, sceneBuffer, found].map((buffer, binding) => ({ binding, resource: { buffer } })),
+    entries: [
+      ...[frameBuffer, sceneBuffer, found].map((buffer, binding) => ({ binding, resource: { buffer } })),
+      ...geometry.entries(layout),
+    ],
   });
   pass.setBindGroup(0, bindGroup);
   pass.dispatchWorkgroups(1);

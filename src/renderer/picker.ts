@@ -2,7 +2,8 @@ import type { CompiledScene } from "../compile/compileScene";
 import { linkProgram } from "../compile/linkProgram";
 import { partOf, type ScenePart } from "../compile/primitives";
 import { add, normalize, scale } from "../compile/vec3";
-import { createPickPipeline, runPick } from "../gpu/pickPass";
+import { createPickPipeline, type PickPipeline, runPick } from "../gpu/pickPass";
+import type { SceneGeometry } from "../gpu/sceneGeometry";
 import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
 import { cameraBasis, rayStart } from "./camera";
 import { programKey } from "./program";
@@ -19,6 +20,7 @@ export type Picked = ScenePart & {
 export type Sight = {
   readonly scene: ResolvedScene;
   readonly compiled: CompiledScene;
+  readonly geometry: SceneGeometry;
   readonly camera: ResolvedCamera;
   /** In pixels. */
   readonly width: number;
@@ -32,7 +34,7 @@ export type Sight = {
 export class Picker {
   readonly #device: GPUDevice;
   #key: string | undefined;
-  #pipeline: Promise<GPUComputePipeline> | undefined;
+  #pipeline: Promise<PickPipeline> | undefined;
   #isDisposed = false;
 
   constructor(device: GPUDevice) {
@@ -40,16 +42,18 @@ export class Picker {
   }
 
   /**
+   * @param sight - asked when the answer is sought: it may change while the code is compiled.
    * @param x - in pixels from the left edge.
    * @param y - from the upper edge.
    * @returns `undefined` where there is nothing, outside of the picture, and after `dispose()`.
    * @throws {WebGpuError} if the code does not compile.
    */
-  async pick(sight: Sight, x: number, y: number): Promise<Picked | undefined> {
-    const isInside = x >= 0 && x <= sight.width && y >= 0 && y <= sight.height;
+  async pick(sight: () => Sight, x: number, y: number): Promise<Picked | undefined> {
+    const { width, height } = sight();
+    const isInside = x >= 0 && x <= width && y >= 0 && y <= height;
     if (!isInside || this.#isDisposed) return undefined;
     try {
-      return await this.#trace(sight, (2 * x) / sight.width - 1, 1 - (2 * y) / sight.height);
+      return await this.#trace(sight, (2 * x) / width - 1, 1 - (2 * y) / height);
     } catch (error) {
       if (this.#isDisposed) return undefined; // and the device perhaps with it
       throw error;
@@ -61,25 +65,29 @@ export class Picker {
   }
 
   /** By coordinates in the image plane, from -1 to 1. */
-  async #trace({ scene, compiled, camera, width, height }: Sight, x: number, y: number): Promise<Picked | undefined> {
+  async #trace(sight: () => Sight, x: number, y: number): Promise<Picked | undefined> {
+    const key = programKey(sight().compiled);
+    const pipeline = await this.#pipelineFor(sight().compiled);
+    if (this.#isDisposed) return undefined;
+    const { scene, compiled, geometry, camera, width, height } = sight();
+    if (programKey(compiled) !== key) return this.#trace(sight, x, y);
     const { forward, right, up, ...basis } = cameraBasis(camera, compiled.origin, width / height);
     const direction = normalize(add(forward, add(scale(right, x), scale(up, y))));
     // A picture of one pixel, with the point in its middle.
     const narrow = { ...basis, forward: direction, right: [0, 0, 0], up: [0, 0, 0] } as const;
     const start = rayStart(narrow, compiled.shapes);
-    const pipeline = await this.#pipelineFor(compiled);
-    const found = await runPick(this.#device, pipeline, compiled.uniform, { ...ONE_PIXEL, ...start });
+    const found = await runPick(this.#device, pipeline, compiled.uniform, geometry, { ...ONE_PIXEL, ...start });
     if (found === undefined) return undefined;
     const distance = start.near + found.t;
     return { ...partOf(scene, found.id), distance, position: add(camera.position, scale(direction, distance)) };
   }
 
-  #pipelineFor(compiled: CompiledScene): Promise<GPUComputePipeline> {
+  #pipelineFor(compiled: CompiledScene): Promise<PickPipeline> {
     const key = programKey(compiled);
     if (this.#pipeline === undefined || key !== this.#key) {
       this.#key = key;
       this.#pipeline = linkProgram(compiled.sceneModule, compiled.features, "pick").then((wgsl) =>
-        createPickPipeline(this.#device, wgsl),
+        createPickPipeline(this.#device, wgsl, compiled.features),
       );
     }
     return this.#pipeline;

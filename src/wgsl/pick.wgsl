@@ -1,6 +1,8 @@
 // Finds what the ray through the middle of the picture hits. To pick another point, the renderer turns the camera to it.
 import package::camera::cameraRay;
+import package::constants::NONE;
 import package::scene::closestHit;
+import package::surface::primitiveOf;
 
 struct Found {
   // Primitive; NONE where there is nothing.
@@ -15,5 +17,5 @@ struct Found {
 @compute @workgroup_size(1)
 fn pick() {
   let hit = closestHit(cameraRay(vec2u(0), vec2f(0.5)));
-  found = Found(hit.id, hit.t);
+  if (hit.id == NONE) { found = Found(NONE, hit.t); } else { found = Found(primitiveOf(hit.id), hit.t); }
 }

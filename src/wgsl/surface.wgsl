@@ -1,11 +1,14 @@
 // What a ray finds where it hits.
 import package::bsdf::{Bsdf, specularShare};
-import package::constants::{INSIDE};
+import package::constants::{INSIDE, NONE};
 import package::frame::{Frame, frameAround, toLocal};
 import package::lights::sphereLightPdf;
+import package::mesh::{MeshPoint, consistentNormal, meshPoint};
 import package::multiscatter::multiscatterGain;
 import package::ray::{Hit, Ray};
-import package::scene::{F0Of, alphaOf, anchorOf, diffuseOf, emissionOf, f0Of, f90Of, lightDensityOf, multiscatterOf, schlickBeckmannOf, shapeNormal, shapeOf};
+import package::tree::itemAt;
+import package::textures::{colorAt, dataAt};
+import package::scene::{F0Of, PRIMITIVES, factorsOf, alphaOf, anchorOf, diffuseOf, emissionOf, f0Of, f90Of, lightDensityOf, multiscatterOf, schlickBeckmannOf, shapeNormal, shapeOf};
 
 // Packed by compile/packScene.ts, one per primitive.
 struct Material {
@@ -28,6 +31,8 @@ struct Surface {
   p: vec3f,
   // n on the viewer's side.
   frame: Frame,
+  // Of the surface itself, on the viewer's side, where n may be an interpolated one.
+  @if(SHADING_NORMALS) ng: vec3f,
   // Towards the viewer, in the local frame.
   wo: vec3f,
   bsdf: Bsdf,
@@ -40,18 +45,27 @@ struct Surface {
 }
 
 fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
-  let shape = shapeOf(hit.id);
+  var id = hit.id;
+  @if(MESHES) let isTriangle = hit.id >= PRIMITIVES;
+  @if(MESHES) var triangle: MeshPoint;
+  @if(MESHES) {
+    if (isTriangle) {
+      triangle = meshPoint(ray, hit);
+      id = triangle.id;
+    }
+  }
+  let shape = shapeOf(id);
   var p = ray.o + hit.t * ray.d;
   var n = shape.xyz;
   @if(RIMS) {
     // Back onto the plane, and by a few ULP towards the middle: a point on the edge of a wall then lies on the inner side of
     // the next wall, where the ray that found it came from.
-    let anchor = anchorOf(hit.id);
+    let anchor = anchorOf(id);
     let q = p - anchor.xyz;
     p = select(p, anchor.xyz + anchor.w * (q - dot(q, n) * n), shape.w == 0.0);
   }
   @if(SPHERES) let isSphere = shape.w > 0.0;
-  @if(HUGE_SPHERES) let isHuge = isSphere & (anchorOf(hit.id).w > 0.0);
+  @if(HUGE_SPHERES) let isHuge = isSphere & (anchorOf(id).w > 0.0);
   @if(HUGE_SPHERES) let flight = p;
   @if(SPHERES) {
     // Back onto the sphere: the point is then as exact as the radius, however far the ray came.
@@ -60,7 +74,7 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
     n = radial;
   }
   @if(HUGE_SPHERES) {
-    let anchor = anchorOf(hit.id);
+    let anchor = anchorOf(id);
     let g = flight - anchor.xyz;
     let spoke = anchor.xyz - shape.xyz;
     let f = g + spoke;
@@ -68,35 +82,54 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
     n = select(n, normalize(f), isHuge);
     p = select(p, flight - height * n, isHuge);
   }
-  @if(BOXES) n = shapeNormal(ray, hit.id, p, n);
+  @if(BOXES) n = shapeNormal(ray, id, p, n);
+  @if(MESHES) n = select(n, triangle.n, isTriangle);
   let cosine = -dot(ray.d, n);
   var front = cosine > 0.0;
   @if(SPHERES) {
     // A sphere is met from the side the ray starts on; at grazing angles rounding would have it otherwise now and then. Of a
     // huge one the origin's side is the less certain.
     let toOrigin = ray.o - shape.xyz;
-    let startsInside = (ray.source == (hit.id | INSIDE)) | (dot(toOrigin, toOrigin) < shape.w * shape.w);
+    let startsInside = (ray.source == (id | INSIDE)) | (dot(toOrigin, toOrigin) < shape.w * shape.w);
     @if(!HUGE_SPHERES) front = select(front, !startsInside, isSphere);
     @if(HUGE_SPHERES) front = select(front, !startsInside, isSphere & !isHuge);
   }
 
   var surface: Surface;
   surface.p = p;
-  surface.frame = frameAround(select(-n, n, front));
+  var facing = select(-n, n, front);
+  @if(MESHES) surface.p = select(p, triangle.p + triangle.clearance * facing, isTriangle);
+  @if(SHADING_NORMALS) {
+    surface.ng = facing;
+    let shading = select(-triangle.shading, triangle.shading, front);
+    facing = select(facing, consistentNormal(shading, facing, -ray.d), isTriangle);
+  }
+  surface.frame = frameAround(facing);
   surface.wo = toLocal(surface.frame, -ray.d);
-  surface.bsdf = bsdfOf(hit.id, surface.wo.z);
+  var uv = vec2f(0.0);
+  @if(TEXTURES) uv = triangle.uv;
+  surface.bsdf = bsdfOf(id, surface.wo.z, uv);
   @if(EMISSION) {
-    surface.Le = select(vec3f(0.0), emissionOf(hit.id), front);
-    surface.lightPdf = lightPdf(lightDensityOf(hit.id), shape, ray, hit.t, cosine);
+    surface.Le = select(vec3f(0.0), emissionOf(id), front);
+    @if(EMISSION_TEXTURES) surface.Le *= colorAt(factorsOf(id).emissionTexture, uv);
+    surface.lightPdf = lightPdf(lightDensityOf(id), shape, ray, hit.t, cosine);
   }
   surface.source = hit.id;
   // Only a closed shape can be hit again from where the ray leaves it.
-  @if(SPHERES || BOXES) surface.source |= select(INSIDE, 0u, front || shape.w == 0.0);
+  @if((SPHERES || BOXES) && !MESHES) surface.source |= select(INSIDE, 0u, front || shape.w == 0.0);
+  @if((SPHERES || BOXES) && MESHES) surface.source |= select(INSIDE, 0u, front || shape.w == 0.0 || isTriangle);
   return surface;
 }
 
-// How a primitive scatters, seen under cosO. Reads only what the scene's materials make use of: every field costs a gather.
-fn bsdfOf(id: u32, cosO: f32) -> Bsdf {
+// The primitive of what a ray hits: of a triangle, its mesh.
+fn primitiveOf(id: u32) -> u32 {
+  @if(MESHES) return select(id, itemAt(id - PRIMITIVES).id, id >= PRIMITIVES);
+  @if(!MESHES) return id;
+}
+
+// How a primitive scatters, seen under cosO, at texture coordinates. Reads only what the scene's materials make use of: every
+// field costs a gather.
+fn bsdfOf(id: u32, cosO: f32, uv: vec2f) -> Bsdf {
   var bsdf: Bsdf;
   @if(DIFFUSE) bsdf.diffuse = diffuseOf(id);
   @if(SPECULAR) {
@@ -105,8 +138,24 @@ fn bsdfOf(id: u32, cosO: f32) -> Bsdf {
     bsdf.f90 = f90Of(id);
     bsdf.alpha = alphaOf(id);
   }
+  @if(MULTISCATTER) var multiscatter = multiscatterOf(id);
+  @if(SURFACE_TEXTURES) {
+    let factors = factorsOf(id);
+    let base = factors.baseColor * colorAt(factors.baseColorTexture, uv);
+    let data = dataAt(factors.metallicRoughnessTexture, uv);
+    let metallic = factors.metallic * data.b;
+    let roughness = factors.roughness * data.g;
+    @if(DIFFUSE) bsdf.diffuse = (1.0 - metallic) * base;
+    @if(SPECULAR) {
+      let isTextured = min(factors.baseColorTexture, factors.metallicRoughnessTexture) != NONE;
+      bsdf.F0 = select(bsdf.F0, mix(vec3f(bsdf.f0), base, metallic), isTextured);
+      // A texture makes no perfect mirrors: α stays at what compile/features.ts takes for one.
+      bsdf.alpha = select(bsdf.alpha, max(roughness * roughness, 0x1p-24), isTextured);
+    }
+    @if(MULTISCATTER) multiscatter *= data.b;
+  }
   @if(SMITH && SCHLICK_BECKMANN) bsdf.schlickBeckmann = schlickBeckmannOf(id);
-  @if(MULTISCATTER) bsdf.gain = multiscatterGain(cosO, bsdf.alpha, bsdf.F0 * multiscatterOf(id));
+  @if(MULTISCATTER) bsdf.gain = multiscatterGain(cosO, bsdf.alpha, bsdf.F0 * multiscatter);
   bsdf.specularShare = specularShare(bsdf, cosO);
   return bsdf;
 }

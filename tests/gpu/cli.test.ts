@@ -102,17 +102,12 @@ describe("npm run render, seed 7", () => {
 describe("npm run render ends with exit code 1, a message and no file", () => {
   const cornell = JSON.parse(readFileSync(join(ROOT, CORNELL), "utf8")) as { objects: object[] };
   const broken = { ...cornell, maxBounces: -1, objects: [{ ...cornell.objects[0], material: "nowhere" }] };
-  const meshes = {
-    ...cornell,
-    objects: [{ type: "mesh", positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], indices: [0, 1, 2], material: "white" }],
-  };
 
   const cases: Readonly<Record<string, { args: () => string[]; says: string[] }>> = {
     "for a faulty scene, naming every fault": {
       args: () => [sceneFile("broken.json", broken)],
       says: ["maxBounces: expected an integer from 0", 'objects[0].material: no material is named "nowhere"'],
     },
-    "for a mesh": { args: () => [sceneFile("mesh.json", meshes)], says: ["mesh can't be rendered yet"] },
     "for text that is not JSON": { args: () => [sceneFile("text.json", "not JSON")], says: ["text.json is not JSON"] },
     "for a file that is not there": { args: () => [join(folder, "none.json")], says: ["could not read", "none.json"] },
     "for no file": { args: () => [], says: ["expected one scene file", "Usage:"] },

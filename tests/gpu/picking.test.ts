@@ -106,6 +106,31 @@ describe("picking", () => {
     tracer.dispose();
   });
 
+  test("tells a mesh by its object, whichever of its triangles is hit", async () => {
+    const tracer = await createTracer({
+      ...ball(-3),
+      objects: [
+        ...ball(-3).objects,
+        { type: "mesh", positions: [-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0], indices: [0, 1, 2, 0, 2, 3], material },
+      ],
+      lights: [{ type: "sphere", position: [0, 0, 2], radius: 0.05, power: [1, 1, 1] }],
+    });
+    for (const [x, y] of [
+      [9, 5],
+      [15, 11],
+    ] as const) {
+      expect(await tracer.pick(x, y)).toMatchObject({ kind: "object", index: 1 });
+    }
+    expect(await middle(tracer)).toMatchObject({ kind: "light", index: 0 });
+    expect((await tracer.pick(9, 5))!.position[2]).toBeCloseTo(0, 5);
+    // While the code is compiled, the mesh goes.
+    const late = tracer.pick(9, 5);
+    await tracer.setScene(ball(0));
+    await late;
+    expect(await middle(tracer)).toMatchObject({ kind: "object", index: 0 });
+    tracer.dispose();
+  });
+
   test("is as exact far from the world's origin", async () => {
     const [far, camera] = [1e7, { position: [1e7, 0, 5], target: [1e7, 0, 0] } as const];
     const tracer = await createTracer({
