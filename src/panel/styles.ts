@@ -65,6 +65,7 @@ const THEME = /* css */ `
 .tp-lblv_l { padding-right: 4px; white-space: nowrap; text-overflow: ellipsis; }
 .tp-fldv_t { overflow: hidden; text-overflow: ellipsis; }
 .tp-lstv_s option { background: Canvas; color: CanvasText; }
+.tp-svpv_c { position: static; cursor: crosshair !important; } /* the element's own canvas is laid out otherwise */
 .tp-rotv :is(button, input, select, textarea):focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
 .tp-mllv_i { white-space: pre-wrap; }
 .tp-lblv:has(textarea) { align-items: start; }

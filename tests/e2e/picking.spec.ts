@@ -167,6 +167,9 @@ test("a light turned up brightens the picture and keeps its colour", async ({ pa
   await expect
     .poll(async () => meanColor(await pictureOf(canvasOf(viewer)), floor)[1])
     .toBeGreaterThan(1.15 * before[1]);
+  // The field of colours is there when it is asked for.
+  await viewer.getByLabel("choose colour").click();
+  await expect.poll(async () => (await viewer.locator(".tp-svpv_c").first().boundingBox())?.height).toBeGreaterThan(60);
   await setNumber(viewer, "position y", "5");
   await expect.poll(async () => (await lightOf()).position).toEqual([2, 5, 2]);
 });
