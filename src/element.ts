@@ -7,6 +7,7 @@ export type {
   ConvergedDetail,
   DeviceLostDetail,
   ErrorDetail,
+  PickDetail,
   ProgressDetail,
   ReadyDetail,
   RtViewerEventMap,

@@ -2,6 +2,7 @@ export { RtViewerError, SceneError, type SceneIssue, UnsupportedError, WebGpuErr
 export type { ToneMap } from "./gpu/blitPass";
 export type { View } from "./renderer/display";
 export { PathTracer, type PathTracerOptions, type SceneOptions } from "./renderer/pathTracer";
+export type { Picked } from "./renderer/picker";
 export { DEFAULT_SETTINGS, type Settings } from "./renderer/settings";
 export type { Stats } from "./renderer/stats";
 export * from "./scene/builders";

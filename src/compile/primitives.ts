@@ -91,6 +91,16 @@ function sphereLights({ lights }: ResolvedScene) {
   return lights.flatMap((light) => (light.type === "sphere" ? [light] : []));
 }
 
+/** One of a scene's objects or lights, by its index there. */
+export type ScenePart = { readonly kind: "object" | "light"; readonly index: number };
+
+/** What a primitive of `primitivesOf` belongs to. */
+export function partOf({ objects, lights }: ResolvedScene, id: number): ScenePart {
+  if (id < objects.length) return { kind: "object", index: id };
+  const spheres = [...lights.keys()].filter((index) => lights[index]!.type === "sphere");
+  return { kind: "light", index: spheres[id - objects.length]! };
+}
+
 /** Radiance of a diffuse sphere that gives `power` watts: power / (4π²·radius²), by area × π. */
 function sphereLightRadiance(light: ResolvedLight & { type: "sphere" }): Rgb {
   return scale(light.power, 1 / (4 * Math.PI ** 2 * light.radius ** 2));

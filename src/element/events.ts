@@ -1,4 +1,5 @@
 import type { PathTracer } from "../renderer/pathTracer";
+import type { Light, SceneObject } from "../scene/schema";
 import type { LoadProgressDetail } from "./loadProgress";
 
 /**
@@ -39,6 +40,15 @@ export type DeviceLostDetail = {
   readonly count: number;
 };
 
+/**
+ * `pick`: an object or a light of the scene has been chosen, in the picture or in the panel, whose knobs it now has; or none
+ * any more. `index` is its place in `objects` or `lights`.
+ */
+export type PickDetail =
+  | { readonly kind: "object"; readonly index: number; readonly object: SceneObject }
+  | { readonly kind: "light"; readonly index: number; readonly light: Light }
+  | { readonly kind: "none" };
+
 /** The events of `<rt-viewer>`. None of them bubbles. */
 export interface RtViewerEventMap {
   loadprogress: CustomEvent<LoadProgressDetail>;
@@ -47,6 +57,7 @@ export interface RtViewerEventMap {
   converged: CustomEvent<ConvergedDetail>;
   devicelost: CustomEvent<DeviceLostDetail>;
   error: CustomEvent<ErrorDetail>;
+  pick: CustomEvent<PickDetail>;
 }
 
 /** Every event an `<rt-viewer>` can receive: its own, and those of any HTML element. */

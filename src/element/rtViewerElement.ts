@@ -1,5 +1,5 @@
 import { RtViewerError, WebGpuError } from "../errors";
-import type { PanelKnobs } from "../panel/panel";
+import type { PanelKnobs, ScenePart } from "../panel/panel";
 import type { View } from "../renderer/display";
 import type { PathTracer } from "../renderer/pathTracer";
 import type { Stats } from "../renderer/stats";
@@ -14,7 +14,8 @@ import type { RtViewerEventMap } from "./events";
 import { fetchScene } from "./fetchScene";
 import { LiveRegion } from "./liveRegion";
 import { MessageBox } from "./messageBox";
-import { PanelHost } from "./panelHost";
+import { PanelHost, type PanelSource } from "./panelHost";
+import { bindPicking, pickDetail } from "./picking";
 import { ReflectedElement } from "./reflectedElement";
 import { RenderLoop } from "./renderLoop";
 import { Stage } from "./stage";
@@ -55,6 +56,8 @@ export class RtViewerElement extends ReflectedElement {
   readonly #stage: Stage;
   readonly #loop = new RenderLoop(() => this.#tick());
   #scene: Scene | undefined;
+  /** What the panel made of the scene in the file. */
+  #edited: Scene | undefined;
   /** The scene or URL that was asked for last; `undefined` when there is none, or the GPU has been given back. */
   #requested: Scene | string | undefined;
   #isVisible = false;
@@ -101,9 +104,13 @@ export class RtViewerElement extends ReflectedElement {
     });
   }
 
-  /** The scene shown, as it was set. Setting one overrides `src`; `undefined` gives way to `src` again. */
+  /**
+   * The scene shown: as it was set, or as it was changed in the panel, with every default filled in and the camera where its
+   * author put it; `undefined` while what `src` names is shown unchanged. Setting one overrides `src`; `undefined` gives way to
+   * `src` again.
+   */
   get scene(): Scene | undefined {
-    return this.#scene;
+    return this.#scene ?? this.#edited;
   }
   set scene(scene: Scene | undefined) {
     this.#scene = scene;
@@ -191,6 +198,7 @@ export class RtViewerElement extends ReflectedElement {
     watchReducedMotion((isReduced) => (this.#stage.isCalm = isReduced), signal);
     if (!this.#wasNear) watchNearness(this, () => this.#onNear(), signal);
     this.#bindControls();
+    this.#bindPicking(signal);
     this.#label();
     if (this.#source() !== this.#requested) this.#load();
     else this.#updateLoop();
@@ -233,6 +241,7 @@ export class RtViewerElement extends ReflectedElement {
     if (source === undefined && this.#requested !== undefined) this.#dispose();
     if (source === undefined || (this.loading === "lazy" && !this.#wasNear)) return;
     this.#requested = source;
+    this.#edited = undefined;
     const missing = missingWebGpu({ hasGpu: "gpu" in navigator, isSecure: globalThis.isSecureContext });
     if (missing !== undefined) {
       this.#fail(new WebGpuError(missing));
@@ -324,29 +333,62 @@ export class RtViewerElement extends ReflectedElement {
     bindOrbitControls(this.#canvas, target, signal);
   }
 
+  /** Only with the panel, which shows what is picked. */
+  #bindPicking(signal: AbortSignal): void {
+    const target = {
+      tracer: () => (this.showStats ? this.tracer : undefined),
+      onPick: (part: ScenePart | undefined) => {
+        if (part === undefined && this.#panel.selected === undefined) return;
+        this.#panel.select(part);
+        this.#tellPick(part);
+      },
+      onError: (error: Error) => this.#emit("error", { error }),
+    };
+    bindPicking(this, this.#canvas, target, signal);
+  }
+
   #showPanel(): void {
     if (!this.showStats || this.tracer === undefined) {
       this.#panel.hide();
       return;
     }
-    const source = {
-      stats: this.tracer.stats,
-      knobs: this.#knobs(this.tracer),
-      onChange: ({ exposure, ...settings }: Partial<PanelKnobs>) => {
+    const isFolded = this.getAttribute("stats") === "folded";
+    // Without its panel the element still does its work, so this is told, not shown.
+    this.#panel.show(this.#panelSource(this.tracer), isFolded).catch((error: Error) => this.#emit("error", { error }));
+  }
+
+  #panelSource(tracer: PathTracer): PanelSource {
+    return {
+      stats: tracer.stats,
+      knobs: this.#knobs(tracer),
+      onChange: ({ exposure, ...settings }) => {
         if (exposure !== undefined) this.exposure = exposure;
         this.settings = settings;
       },
       onReset: () => this.reset(),
       isPaused: () => this.paused,
+      wgsl: () => tracer.program.wgsl,
+      editor: {
+        scene: tracer.scene,
+        onEdit: (scene) => this.#edit(scene),
+        onSelect: (part) => this.#tellPick(part),
+      },
     };
-    const isFolded = this.getAttribute("stats") === "folded";
-    // Without its panel the element still does its work, so this is told, not shown.
-    this.#panel.show(source, isFolded).catch((error: Error) => this.#emit("error", { error }));
   }
 
   #knobs(tracer: PathTracer): PanelKnobs {
-    const { samplesPerFrame, lightSamples, exposure } = this;
-    return { samplesPerFrame, lightSamples, exposure, maxBounces: this.maxBounces ?? tracer.scene.maxBounces };
+    const { exposure, settings } = this;
+    return { ...settings, exposure, maxBounces: settings.maxBounces ?? tracer.scene.maxBounces };
+  }
+
+  #edit(scene: Scene): void {
+    if (!this.#stage.edit(scene)) return;
+    if (this.#scene === undefined) this.#edited = scene;
+    else this.#scene = this.#requested = scene;
+  }
+
+  #tellPick(part: ScenePart | undefined): void {
+    if (this.tracer !== undefined) this.#emit("pick", pickDetail(this.tracer.scene, part));
   }
 
   #label(): void {

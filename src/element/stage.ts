@@ -8,6 +8,7 @@ import { CanvasView } from "./canvasView";
 import type { DeviceLostDetail, ProgressDetail, ReadyDetail } from "./events";
 import { LatestTask } from "./latestTask";
 import type { LoadProgressDetail, ReportProgress } from "./loadProgress";
+import { SceneEdits } from "./sceneEdits";
 import { type DeviceLease, isLost, leaseDevice } from "./sharedDevice";
 
 /** Whom the stage tells what happens on it. */
@@ -36,6 +37,9 @@ export class Stage {
   /** One whose work has failed, while it is found out why. */
   #failedView: CanvasView | undefined;
   #lossCount = 0;
+  #edits: SceneEdits | undefined;
+  /** Scenes that are being loaded; those that were overtaken too. */
+  #loads = 0;
   #size: PixelSize = { width: 1, height: 1 };
   #settings: Settings = DEFAULT_SETTINGS;
   #look: View = {};
@@ -127,6 +131,8 @@ export class Stage {
         if (!signal.aborted) this.#listener.onLoadProgress({ phase, fraction });
       };
     };
+    this.#loads += 1;
+    this.#edits?.cancel();
     try {
       const isLast = await this.#task.run(
         (signal) => read(signal, reportFor(signal)),
@@ -139,7 +145,20 @@ export class Stage {
     } catch (error) {
       if (this.#view === undefined) this.#release();
       this.#listener.onError(toError(error));
+    } finally {
+      this.#loads -= 1;
     }
+  }
+
+  /**
+   * Shows the scene with other values, seen from where the camera is. Errors are reported.
+   *
+   * @returns false, and nothing is done, without a scene and while another one is loaded.
+   */
+  edit(scene: Scene): boolean {
+    if (this.#edits === undefined || this.#loads > 0) return false;
+    this.#edits.show(scene).catch((error: unknown) => this.#listener.onError(toError(error)));
+    return true;
   }
 
   /** Does the work of one frame. */
@@ -196,7 +215,10 @@ export class Stage {
   async #open(scene: Scene, { device }: DeviceLease, signal: AbortSignal): Promise<void> {
     const tracer = await PathTracer.create({ scene, ...this.#size, settings: this.#effectiveSettings(), device });
     if (signal.aborted || this.#lease?.device !== device) tracer.dispose();
-    else this.#view = new CanvasView(tracer, this.#canvas);
+    else {
+      this.#view = new CanvasView(tracer, this.#canvas);
+      this.#edits = new SceneEdits(tracer);
+    }
   }
 
   /** What the page asked for while the scene was compiled, or before. */
@@ -235,6 +257,8 @@ export class Stage {
   #forgetView(): void {
     this.#view = undefined;
     this.#failedView = undefined;
+    this.#edits?.cancel();
+    this.#edits = undefined;
     this.#requestedAt = undefined;
     this.#reportedSamples = 0;
     this.#wasConverged = false;

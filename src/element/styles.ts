@@ -65,7 +65,7 @@ canvas:focus-visible + .curtain, .message:focus-visible {
 .panel {
   position: absolute;
   inset: 8px 8px auto auto;
-  width: min(208px, calc(100% - 16px));
+  width: min(236px, calc(100% - 16px));
   max-height: calc(100% - 16px);
   overflow: hidden auto;
   scrollbar-width: thin;

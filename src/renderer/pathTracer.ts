@@ -16,6 +16,7 @@ import { cameraBasis, lampPixels, rayStart } from "./camera";
 import { Display, readPicture, type View } from "./display";
 import { InFlight } from "./inFlight";
 import { Meter } from "./meter";
+import { type Picked, Picker, type Sight } from "./picker";
 import { createProgram, type Program, programKey } from "./program";
 import { Progress } from "./progress";
 import { DEFAULT_SETTINGS, type Settings } from "./settings";
@@ -66,6 +67,7 @@ export class PathTracer {
   readonly #errorPipeline: GPUComputePipeline;
   readonly #inFlight: InFlight;
   readonly #meter: Meter;
+  readonly #picker: Picker;
 
   #scene: ResolvedScene;
   #camera: ResolvedCamera;
@@ -153,6 +155,7 @@ export class PathTracer {
     this.#shared = this.#sharedUniforms();
     device.addEventListener("uncapturederror", this.#onDeviceError);
     this.#baked = new Baked(device);
+    this.#picker = new Picker(device);
     this.#meter = new Meter(adapterName(device));
     this.#meter.useProgram(program);
   }
@@ -289,6 +292,18 @@ export class PathTracer {
   }
 
   /**
+   * Finds what is seen at a point of the picture, by one ray through it. The first call compiles what that takes.
+   *
+   * @param x - in pixels from the left edge; the middle of the first pixel is 0.5.
+   * @param y - from the upper edge.
+   * @returns `undefined` where there is nothing, outside of the picture, and after `dispose()`.
+   * @throws {WebGpuError} if the device fails.
+   */
+  pick(x: number, y: number): Promise<Picked | undefined> {
+    return this.#picker.pick(this.#sight, x, y);
+  }
+
+  /**
    * Submits about one animation frame's work, unless the device is still busy or nothing is left to do. Never waits.
    *
    * @returns whether work was submitted.
@@ -334,6 +349,7 @@ export class PathTracer {
     this.#geometry.dispose();
     this.#baked.drop();
     this.#errorPass.dispose();
+    this.#picker.dispose();
     this.#inFlight.dispose();
     this.#film.dispose();
     if (this.#display instanceof Display) this.#display.dispose();
@@ -391,6 +407,11 @@ export class PathTracer {
     this.#trace = this.#createTrace();
     this.#restart();
   }
+
+  readonly #sight = (): Sight => {
+    const { scene, camera, width, height } = this;
+    return { scene, camera, width, height, compiled: this.#compiled, geometry: this.#geometry };
+  };
 
   /** The scene as it is, with its values as constants. */
   readonly #bakedScene = (): CompiledScene =>

@@ -1,5 +1,6 @@
 import { expectTypeOf, it } from "vitest";
 import type { LoadPhase, RtViewerElement } from "../../../src/element";
+import type { Rgb } from "../../../src/index";
 import type { Stats } from "../../../src/renderer/stats";
 
 it("listeners know the details of the element's events, and the events of any element", () => {
@@ -9,6 +10,10 @@ it("listeners know the details of the element's events, and the events of any el
     viewer.addEventListener("loadprogress", ({ detail }) => expectTypeOf(detail.phase).toEqualTypeOf<LoadPhase>());
     viewer.addEventListener("devicelost", ({ detail }) => expectTypeOf(detail.count).toBeNumber());
     viewer.addEventListener("error", ({ detail }) => expectTypeOf(detail.error).toEqualTypeOf<Error>());
+    viewer.addEventListener("pick", ({ detail }) => {
+      if (detail.kind === "object") expectTypeOf(detail.object.material).toBeString();
+      if (detail.kind === "light") expectTypeOf(detail.light.power).toEqualTypeOf<Rgb>();
+    });
     viewer.addEventListener("keydown", ({ key }) => expectTypeOf(key).toBeString());
     viewer.addEventListener("something-else", (event) => expectTypeOf(event).toEqualTypeOf<Event>());
   };
