@@ -15,5 +15,6 @@ export type {
   Rgb,
   Scene,
   SceneObject,
+  Texture,
   Vec3,
 } from "./scene/schema";

@@ -154,13 +154,15 @@ function parseEntry<In, Out>(
   return parsed;
 }
 
-function isHopeless(faultyCount: number, addIssue: AddIssue): boolean {
+/** Whether the rest of a list is not worth looking at; says so. */
+export function isHopeless(faultyCount: number, addIssue: AddIssue): boolean {
   if (faultyCount < MAX_FAULTY_ENTRIES) return false;
   addIssue({ message: HOPELESS });
   return true;
 }
 
-function pathItem(input: unknown, key: string | number): v.UnknownPathItem {
+/** One step of the way to a value, as valibot writes it. */
+export function pathItem(input: unknown, key: string | number): v.UnknownPathItem {
   return { type: "unknown", origin: "value", input, key, value: undefined };
 }
 

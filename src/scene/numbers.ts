@@ -1,5 +1,5 @@
 import * as v from "valibot";
-import { list, triple } from "./containers";
+import { isHopeless, pathItem, triple } from "./containers";
 import { show } from "./describe";
 
 // The shader computes in f32, whose range is 1.2e-38 … 3.4e38, and it squares what the scene holds: distances, radii, and
@@ -14,7 +14,11 @@ const ANY: Rule = { expected: "a finite number", accepts: () => true };
 const POSITIVE: Rule = { expected: "a finite number > 0", accepts: (x) => x > 0, minimum: MIN_SIZE };
 const NON_NEGATIVE: Rule = { expected: "a finite number ≥ 0", accepts: (x) => x >= 0 };
 const FRACTION: Rule = { expected: "a number from 0 to 1", accepts: (x) => x >= 0 && x <= 1 };
-const INDEX: Rule = { expected: "an integer ≥ 0", accepts: (x) => x >= 0 && Number.isInteger(x) };
+const INDEX: Rule = {
+  expected: "an integer from 0 to 4294967294",
+  accepts: (x) => x >= 0 && x < 2 ** 32 - 1 && Number.isInteger(x),
+};
+const BYTE: Rule = { expected: "an integer from 0 to 255", accepts: (x) => x >= 0 && x <= 255 && Number.isInteger(x) };
 
 /** Any number of magnitude ≤ 1e18. */
 export const finite = number(ANY);
@@ -49,10 +53,54 @@ export const reflectance = triple(fraction, "[r, g, b]");
 /** `[r, g, b]`, linear Rec. 709, each ≥ 0: radiances and powers. */
 export const light = triple(number(NON_NEGATIVE), "[r, g, b]");
 
-/** A list of finite numbers. */
-export const finiteList = list(finite);
-/** A list of integers ≥ 0. */
-export const indexList = list(number(INDEX));
+/** Many numbers: a plain array, as in JSON, or a typed one. */
+export type Numbers =
+  | readonly number[]
+  | Float32Array
+  | Float64Array
+  | Uint32Array
+  | Uint16Array
+  | Uint8Array
+  | Uint8ClampedArray;
+
+/** Coordinates, in doubles: what they are relative to is subtracted before they are rounded. */
+export const coordinates = numbers(ANY, Float64Array);
+/** Directions and texture coordinates. */
+export const floats = numbers(ANY, Float32Array);
+/** Integers ≥ 0. */
+export const indices = numbers(INDEX, Uint32Array);
+/** Integers from 0 to 255. */
+export const bytes = numbers(BYTE, Uint8Array);
+
+type TypedArray = Float64Array | Float32Array | Uint32Array | Uint8Array;
+
+/** A list of numbers of any length, which becomes a new typed array. */
+function numbers<Out extends TypedArray>(
+  rule: Rule,
+  Typed: new (length: number) => Out,
+): v.GenericSchema<Numbers, Out> {
+  return v.pipe(
+    v.custom<Numbers>(isNumbers, (issue) => `expected an array, got ${show(issue.input)}`),
+    v.rawTransform(({ dataset: { value: input }, addIssue, NEVER }) => {
+      let faulty = 0;
+      for (let i = 0; i < input.length && !isHopeless(faulty, addIssue); i++) {
+        const value: unknown = input[i];
+        const expected = problemWith(value, rule);
+        if (expected === undefined) continue;
+        addIssue({ message: `expected ${expected}, got ${show(value)}`, path: [pathItem(input, i)] });
+        faulty++;
+      }
+      if (faulty > 0) return NEVER;
+      const typed = new Typed(input.length);
+      typed.set(input);
+      return typed;
+    }),
+  );
+}
+
+function isNumbers(input: unknown): input is Numbers {
+  return Array.isArray(input) || (ArrayBuffer.isView(input) && !(input instanceof DataView));
+}
 
 function number(rule: Rule): v.GenericSchema<number> {
   return v.custom<number>(

@@ -14,7 +14,7 @@ const MAX_LISTED_NAMES = 8;
  * @throws {SceneError} with every issue. Nothing else is thrown, whatever the input.
  */
 export function parseScene(input: unknown): ResolvedScene {
-  return parse(SceneSchema, input, findUnknownMaterials);
+  return parse(SceneSchema, input, findUnknownNames);
 }
 
 /** Checks a camera alone, as `parseScene` does a scene. */
@@ -42,26 +42,55 @@ function parse<T extends v.GenericSchema>(
   throw new SceneError(issues);
 }
 
-/** Every object that names a material that is not there. Takes a faulty scene too, and looks only at what is well-formed. */
-function findUnknownMaterials(scene: unknown): SceneIssue[] {
+/** Every name of a material or texture that is not there. Takes a faulty scene too, and looks only at what is well-formed. */
+function findUnknownNames(scene: unknown): SceneIssue[] {
   const objects = property(scene, "objects");
-  const materials = property(scene, "materials") === undefined ? {} : property(scene, "materials");
-  if (!Array.isArray(objects) || !isObject(materials)) return [];
-
-  const names = Object.keys(materials);
-  const listed = names.slice(0, MAX_LISTED_NAMES).map((name) => show(name));
-  if (names.length > MAX_LISTED_NAMES) listed.push(`${names.length - MAX_LISTED_NAMES} more`);
-  const choice = names.length === 0 ? "the scene has no materials" : `there are ${listed.join(", ")}`;
-
+  const materials = property(scene, "materials");
   const issues: SceneIssue[] = [];
   // The keys, because an array can be longer than the number of things in it.
-  for (const i of Object.keys(objects)) {
-    const name = property(property(objects, i), "material");
-    if (typeof name !== "string" || Object.hasOwn(materials, name)) continue;
+  for (const i of Array.isArray(objects) ? Object.keys(objects) : []) {
     if (issues.length === MAX_FAULTY_ENTRIES) return [...issues, { path: "objects", message: HOPELESS }];
-    issues.push({ path: `objects[${i}].material`, message: `no material is named ${show(name)}; ${choice}` });
+    const object = property(objects, i);
+    const name = property(object, "material");
+    const path = `objects[${i}].material`;
+    if (isNameIn(materials, name) === false) {
+      issues.push({ path, message: unknownName("material", name, materials) });
+    } else if (hasTexture(property(materials, String(name))) && property(object, "uvs") === undefined) {
+      issues.push({ path, message: `${show(name)} has textures, which show on meshes with uvs only` });
+    }
+  }
+
+  const textures = property(scene, "textures");
+  for (const material of isObject(materials) ? Object.keys(materials) : []) {
+    if (issues.length >= MAX_FAULTY_ENTRIES) return [...issues, { path: "materials", message: HOPELESS }];
+    for (const field of TEXTURE_FIELDS) {
+      const name = property(property(materials, material), field);
+      if (isNameIn(textures, name) !== false) continue;
+      const path = formatPath(["materials", material, field].map((key) => ({ key })));
+      issues.push({ path, message: unknownName("texture", name, textures) });
+    }
   }
   return issues;
+}
+
+/** The fields of a material that name a texture. */
+const TEXTURE_FIELDS = ["baseColorTexture", "metallicRoughnessTexture", "emissionTexture", "normalTexture"] as const;
+
+function hasTexture(material: unknown): boolean {
+  return TEXTURE_FIELDS.some((field) => property(material, field) !== undefined);
+}
+
+/** Whether a dictionary, {} by default, has something of this name; `undefined` if either is not well-formed. */
+function isNameIn(dictionary: unknown = {}, name: unknown): boolean | undefined {
+  return typeof name === "string" && isObject(dictionary) ? Object.hasOwn(dictionary, name) : undefined;
+}
+
+function unknownName(kind: string, name: unknown, dictionary: unknown = {}): string {
+  const names = Object.keys(Object(dictionary));
+  const listed = names.slice(0, MAX_LISTED_NAMES).map((known) => show(known));
+  if (names.length > MAX_LISTED_NAMES) listed.push(`${names.length - MAX_LISTED_NAMES} more`);
+  const choice = names.length === 0 ? `the scene has no ${kind}s` : `there are ${listed.join(", ")}`;
+  return `no ${kind} is named ${show(name)}; ${choice}`;
 }
 
 function property(container: unknown, key: string): unknown {
@@ -69,7 +98,7 @@ function property(container: unknown, key: string): unknown {
 }
 
 /** `objects[3].radius`, `materials["old gold"].ior`: the way to a value as JavaScript spells it. */
-function formatPath(path: readonly v.IssuePathItem[]): string {
+function formatPath(path: readonly { readonly key: unknown }[]): string {
   return path.reduce((text, { key }) => {
     if (typeof key === "number") return `${text}[${key}]`;
     if (!/^[\p{ID_Start}$_][\p{ID_Continue}$]*$/u.test(String(key))) return `${text}[${show(key)}]`;

@@ -6,11 +6,13 @@ import * as v from "valibot";
 import { byType, dictionary, list, strictObject, triple } from "./containers";
 import { oneOf, show, suggest } from "./describe";
 import {
+  bytes,
+  coordinates,
   direction,
   finite,
-  finiteList,
+  floats,
   fraction,
-  indexList,
+  indices,
   light,
   numberThat,
   positive,
@@ -26,6 +28,8 @@ export type Rgb = readonly [number, number, number];
 
 // Two directions whose angle has a smaller sine count as parallel: in f32 their cross product is mostly rounding error.
 const MIN_SINE = 1e-6;
+// WebGPU devices have textures of this size; texels of ours are in a buffer, but nothing larger is a picture.
+const MAX_TEXTURE_SIZE = 16384;
 // A bound for loops; with an albedo of 0.99, 1024 bounces leave 3e-5 of the light.
 const MAX_BOUNCES = 1024;
 
@@ -53,6 +57,11 @@ export const CameraSchema = strictObject(
 );
 
 const MASKINGS = ["smith", "schlick-beckmann"] as const;
+const WRAPS = ["repeat", "mirror", "clamp"] as const;
+const FILTERS = ["linear", "nearest"] as const;
+
+/** The name of one of the scene's textures. */
+const textureName = v.string((issue) => `expected the name of a texture, got ${show(issue.input)}`);
 
 export const MaterialSchema = strictObject(
   {
@@ -70,10 +79,7 @@ export const MaterialSchema = strictObject(
     /** Radiance in W·sr⁻¹·m⁻², from the front side only. */
     emission: v.optional(light, [0, 0, 0]),
     /** The masking function of the microfacets: height-correlated Smith, or Schlick's product form. */
-    masking: v.optional(
-      v.picklist(MASKINGS, ({ input }) => `expected ${oneOf(MASKINGS)}, got ${show(input)}${suggest(input, MASKINGS)}`),
-      "smith",
-    ),
+    masking: choice(MASKINGS, "smith"),
     /**
      * Gives a rough metal back the light that its microfacets reflect more than once, which glTF drops: with α = 1 and seen
      * from above, 69 % of it. A white metal is then white, to within 1 %, however rough. Costs 0.3 % of the
@@ -84,6 +90,16 @@ export const MaterialSchema = strictObject(
       v.boolean((issue) => `expected true or false, got ${show(issue.input)}`),
       false,
     ),
+    /** Name of the texture whose colour, sRGB, multiplies `baseColor`. Textures show on meshes that have `uvs`. */
+    baseColorTexture: v.optional(textureName),
+    /** Name of the texture whose green multiplies `roughness` and whose blue multiplies `metallic`; linear. */
+    metallicRoughnessTexture: v.optional(textureName),
+    /** Name of the texture whose colour, sRGB, multiplies `emission`. */
+    emissionTexture: v.optional(textureName),
+    /** Name of the texture that bends the normal: 0…255 is −1…1 along tangent, bitangent and normal; linear. */
+    normalTexture: v.optional(textureName),
+    /** How far along the surface `normalTexture` bends the normal. */
+    normalScale: v.optional(finite, 1),
   },
   ({ masking, multiscatter }, addIssue) => {
     if (multiscatter && masking === "schlick-beckmann") {
@@ -94,6 +110,26 @@ export const MaterialSchema = strictObject(
 
 /** The name of one of the scene's materials. */
 const materialName = v.string((issue) => `expected the name of a material, got ${show(issue.input)}`);
+
+/** A picture for materials. How it is read, as colour or as data, is up to the material. */
+export const TextureSchema = strictObject(
+  {
+    width: numberThat(`an integer from 1 to ${MAX_TEXTURE_SIZE}`, isTextureSize),
+    height: numberThat(`an integer from 1 to ${MAX_TEXTURE_SIZE}`, isTextureSize),
+    /** Red, green, blue and alpha, from 0 to 255, of each texel; rows from the top. Alpha has no meaning yet. */
+    texels: bytes,
+    /** What is left and right of it: texture coordinates outside of 0…1 … */
+    wrapU: choice(WRAPS, "repeat"),
+    /** … and above and below. */
+    wrapV: choice(WRAPS, "repeat"),
+    /** Between texels. */
+    filter: choice(FILTERS, "linear"),
+  },
+  ({ width, height, texels }, addIssue) => {
+    if (!width || !height || !texels || texels.length === 4 * width * height) return;
+    addIssue(["texels"], `expected ${4 * width * height} numbers, four per texel, got ${texels.length}`);
+  },
+);
 
 export const ObjectSchema = byType({
   sphere: strictObject({ type: v.literal("sphere"), center: vec3, radius: positive, material: materialName }),
@@ -127,14 +163,16 @@ export const ObjectSchema = byType({
     {
       type: v.literal("mesh"),
       /** x, y, z of each vertex. */
-      positions: finiteList,
-      /** Three vertices per triangle. */
-      indices: indexList,
-      /** x, y, z per vertex. Without them the mesh is faceted. */
-      normals: v.optional(finiteList),
+      positions: coordinates,
+      /** Three vertices per triangle; its front is where they run counter-clockwise. */
+      indices,
+      /** x, y, z per vertex, of any length. Without them the mesh is faceted. */
+      normals: v.optional(floats),
+      /** u, v per vertex: where it is on the material's textures; (0, 0) is their top left corner, (1, 1) the bottom right. */
+      uvs: v.optional(floats),
       material: materialName,
     },
-    ({ positions, indices, normals }, addIssue) => {
+    ({ positions, indices, normals, uvs }, addIssue) => {
       if (positions && positions.length % 3 !== 0) {
         addIssue(["positions"], `expected three numbers per vertex, got ${positions.length} numbers`);
       }
@@ -143,6 +181,9 @@ export const ObjectSchema = byType({
       }
       if (positions && normals && normals.length !== positions.length) {
         addIssue(["normals"], `expected as many numbers as positions (${positions.length}), got ${normals.length}`);
+      }
+      if (positions && uvs && uvs.length / 2 !== positions.length / 3) {
+        addIssue(["uvs"], `expected two numbers per vertex (${(2 * positions.length) / 3}), got ${uvs.length}`);
       }
       if (!positions || !indices) return;
       const vertexCount = Math.floor(positions.length / 3);
@@ -173,6 +214,8 @@ export const SceneSchema = v.pipe(
     camera: CameraSchema,
     /** Surfaces by name; the objects refer to them. */
     materials: v.optional(dictionary(MaterialSchema), {}),
+    /** Pictures by name; the materials refer to them. */
+    textures: v.optional(dictionary(TextureSchema), {}),
     objects: list(ObjectSchema),
     lights: v.optional(list(LightSchema), []),
     environment: v.optional(EnvironmentSchema, {}),
@@ -189,6 +232,7 @@ export const SceneSchema = v.pipe(
 export type Scene = v.InferInput<typeof SceneSchema>;
 export type Camera = v.InferInput<typeof CameraSchema>;
 export type Material = v.InferInput<typeof MaterialSchema>;
+export type Texture = v.InferInput<typeof TextureSchema>;
 export type SceneObject = v.InferInput<typeof ObjectSchema>;
 export type Light = v.InferInput<typeof LightSchema>;
 export type Environment = v.InferInput<typeof EnvironmentSchema>;
@@ -197,8 +241,20 @@ export type Environment = v.InferInput<typeof EnvironmentSchema>;
 export type ResolvedScene = v.InferOutput<typeof SceneSchema>;
 export type ResolvedCamera = v.InferOutput<typeof CameraSchema>;
 export type ResolvedMaterial = v.InferOutput<typeof MaterialSchema>;
+export type ResolvedTexture = v.InferOutput<typeof TextureSchema>;
 export type ResolvedObject = v.InferOutput<typeof ObjectSchema>;
 export type ResolvedLight = v.InferOutput<typeof LightSchema>;
+
+function isTextureSize(x: number): boolean {
+  return Number.isInteger(x) && x >= 1 && x <= MAX_TEXTURE_SIZE;
+}
+
+/** One of several words, the first by default. */
+function choice<const Word extends string>(words: readonly Word[], initial: NoInfer<Word>) {
+  const expected = oneOf(words);
+  const picklist = v.picklist(words, ({ input }) => `expected ${expected}, got ${show(input)}${suggest(input, words)}`);
+  return v.optional(picklist, initial);
+}
 
 function subtract(a: Vec3, b: Vec3): Vec3 {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];

@@ -301,11 +301,20 @@ describe("objects", () => {
       "objects[0].indices[2]: expected an index of one of the 3 vertices, got 3",
     ]);
     expect(withObject({ ...mesh, indices: [0, -1, 0.5] })).toEqual([
-      "objects[0].indices[1]: expected an integer ≥ 0, got -1",
-      "objects[0].indices[2]: expected an integer ≥ 0, got 0.5",
+      "objects[0].indices[1]: expected an integer from 0 to 4294967294, got -1",
+      "objects[0].indices[2]: expected an integer from 0 to 4294967294, got 0.5",
+    ]);
+    expect(withObject({ ...mesh, indices: { 0: 0, length: 1 } })).toEqual([
+      'objects[0].indices: expected an array, got {"0": 0, "length": 1}',
     ]);
     expect(withObject({ ...mesh, normals: [0, 0, 1] })).toEqual([
       "objects[0].normals: expected as many numbers as positions (9), got 3",
+    ]);
+    expect(withObject({ ...mesh, uvs: new Float32Array(4) })).toEqual([
+      "objects[0].uvs: expected two numbers per vertex (6), got 4",
+    ]);
+    expect(withObject({ ...mesh, positions: Float32Array.of(0, 0, 0, 1, 0, 0, 0, Number.NaN, 0) })).toEqual([
+      "objects[0].positions[7]: expected a finite number, got NaN",
     ]);
   });
 });
@@ -348,5 +357,43 @@ describe("unknown keys", () => {
 
   test("all of them are reported", () => {
     expect(withMaterial({ a: 1, b: 2, rougness: 3 })).toHaveLength(3);
+  });
+});
+
+describe("textures", () => {
+  const texture = { width: 1, height: 2, texels: [0, 0, 0, 255, 9, 9, 9, 255] };
+  const uvMesh = { type: "mesh", positions: [0, 0, 0], indices: [0, 0, 0], uvs: [0, 0], material: "m" };
+  const withTexture = (changes: object, material: object = {}, object: object = uvMesh) =>
+    errorsOf({
+      camera: CAMERA,
+      textures: { t: { ...texture, ...changes } },
+      materials: { m: material },
+      objects: [object],
+    });
+
+  test.each([
+    [{ width: 0 }, "textures.t.width: expected an integer from 1 to 16384, got 0"],
+    [{ texels: [1, 2, 3] }, "textures.t.texels: expected 8 numbers, four per texel, got 3"],
+    [{ texels: [0, 0, 0, 256, 0, 0, 0, 0] }, "textures.t.texels[3]: expected an integer from 0 to 255, got 256"],
+    [{ wrapU: "wrap" }, 'textures.t.wrapU: expected "repeat", "mirror" or "clamp", got "wrap"'],
+    [{ filter: "cubic" }, 'textures.t.filter: expected "linear" or "nearest", got "cubic"'],
+  ])("%o is refused", (changes, message) => {
+    expect(withTexture(changes)).toEqual([message]);
+  });
+
+  test("a material that names one that is not there is refused", () => {
+    expect(withTexture({}, { baseColorTexture: "u" })).toEqual([
+      'materials.m.baseColorTexture: no texture is named "u"; there are "t"',
+    ]);
+  });
+
+  test("a textured material is for meshes with uvs", () => {
+    const { uvs, ...plain } = uvMesh;
+    const message = 'objects[0].material: "m" has textures, which show on meshes with uvs only';
+    expect(withTexture({}, { baseColorTexture: "t" }, plain)).toEqual([message]);
+    expect(
+      withTexture({}, { baseColorTexture: "t" }, { type: "sphere", center: [0, 0, 0], radius: 1, material: "m" }),
+    ).toEqual([message]);
+    expect(withTexture({}, { baseColorTexture: "t", normalTexture: "t" })).toEqual([]);
   });
 });

@@ -20,7 +20,7 @@ export function createGeometry(object: ResolvedObject): BufferGeometry {
     case "box":
       return new BoxGeometry(...object.size).rotateY((object.rotationY * Math.PI) / 180).translate(...object.center);
     case "mesh": {
-      if (object.normals === undefined) return createFaceted(object.positions, object.indices);
+      if (object.normals === undefined) return createFaceted([...object.positions], [...object.indices]);
       const geometry = new BufferGeometry();
       geometry.setAttribute("position", new Float32BufferAttribute(object.positions, 3));
       geometry.setAttribute("normal", new Float32BufferAttribute(object.normals, 3));

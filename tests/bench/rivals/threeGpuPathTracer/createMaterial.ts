@@ -38,6 +38,7 @@ export function createEmitter(radiance: Rgb): MeshPhysicalMaterial {
     emission: radiance,
     masking: "smith",
     multiscatter: false,
+    normalScale: 1,
   };
   const material = createMaterial(black);
   material.emissive = toColor(radiance);
