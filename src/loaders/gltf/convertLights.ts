@@ -1,0 +1,33 @@
+import { scale } from "../../compile/vec3";
+import type { Light } from "../../scene/schema";
+import type { Warnings } from "../warnings";
+import { placeOf } from "./materials";
+import { type PlacedNode, positionOf } from "./nodes";
+import type { GltfJson } from "./schema";
+
+/**
+ * The point lights. Photometric units are taken one to one, as other viewers do: 1 cd is 1 W·sr⁻¹. So lights and emissive
+ * surfaces keep their proportions.
+ */
+export function convertLights(json: GltfJson, nodes: readonly PlacedNode[], warnings: Warnings): Light[] {
+  const lights: Light[] = [];
+  for (const { node, world } of nodes) {
+    const index = node.extensions?.KHR_lights_punctual?.light;
+    if (index === undefined) continue;
+    const {
+      type,
+      name,
+      color = [1, 1, 1],
+      intensity = 1,
+      range,
+    } = json.extensions!.KHR_lights_punctual!.lights[index]!;
+    const place = placeOf("lights", index, name);
+    if (type !== "point") {
+      warnings.add(`Lights of type ${type} are not supported, and left out`, place);
+      continue;
+    }
+    if (range !== undefined) warnings.add("The range of a light is not supported: it shines on", place);
+    lights.push({ type: "point", position: positionOf(world), power: scale(color, 4 * Math.PI * intensity) });
+  }
+  return lights;
+}
