@@ -98,7 +98,7 @@ function checkMeshes(json: GltfJson): void {
   let bytes = 0;
   for (const index of unpacked) bytes += unpackedBytes(json.accessors[index]!);
   if (bytes <= MAX_UNPACKED_BYTES) return;
-  throw new LoadError(`its meshes would unpack to ${bytes} bytes; at most ${MAX_UNPACKED_BYTES} are read`);
+  throw new LoadError(`has meshes that would unpack to ${bytes} bytes; at most ${MAX_UNPACKED_BYTES} are read`);
 }
 
 function checkPrimitive(

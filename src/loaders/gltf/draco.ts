@@ -7,7 +7,7 @@ export async function loadDraco() {
     const [{ KHRDracoMeshCompression }, { default: createDecoderModule }, { default: wasm }] = await Promise.all([
       import("@gltf-transform/extensions"),
       import("draco3dgltf/draco_decoder_gltf_nodejs.js"),
-      import("draco3dgltf/draco_decoder_gltf.wasm?inline"),
+      import("draco3dgltf/draco_decoder_gltf.wasm?url&inline"),
     ]);
     // A new one for every file: after damaged data its memory is not to be trusted.
     const decoder = await createDecoderModule({ wasmBinary: bytesOf(wasm) });

@@ -46,7 +46,7 @@ export class Textures {
     const files = await Promise.all(indices.map(async (index) => fileOf(await resources.image(index), index)));
     const texelCount = files.reduce((sum, { size: [width, height] }) => sum + width * height, 0);
     if (texelCount > MAX_TEXELS) {
-      throw new LoadError(`its pictures have ${texelCount} texels; at most ${MAX_TEXELS} are read`);
+      throw new LoadError(`has pictures of ${texelCount} texels; at most ${MAX_TEXELS} are read`);
     }
     const decoded = new Map<number, DecodedImage>();
     await Promise.all(files.map(async (file) => void decoded.set(file.index, await decode(file, decodeImage))));

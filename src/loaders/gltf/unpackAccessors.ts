@@ -25,7 +25,7 @@ export async function unpackAccessors(json: GltfJson, resources: Resources): Pro
   const names = decoders.map(({ extension }) => extension.EXTENSION_NAME);
   const document = await io.readJSON(await lean(json, resources, names)).catch((cause: unknown) => {
     if (cause instanceof LoadError) throw cause;
-    throw new LoadError(`its vertex data can't be unpacked: ${cause instanceof Error ? cause.message : cause}`, {
+    throw new LoadError(`has vertex data that can't be unpacked: ${cause instanceof Error ? cause.message : cause}`, {
       cause,
     });
   });
