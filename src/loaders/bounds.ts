@@ -1,6 +1,9 @@
 import { add, length, scale, subtract } from "../compile/vec3";
 import type { Vec3 } from "../scene/schema";
 
+/** Of a radius, in metres and relative to the distance from the origin: two points this far apart are still two in doubles. */
+const MIN_RADIUS = 1e-9;
+
 /** The smallest box around all that was added. */
 export class Bounds {
   #min: Vec3 = [Infinity, Infinity, Infinity];
@@ -41,9 +44,9 @@ export class Bounds {
     return scale(add(this.#min, this.#max), 1 / 2);
   }
 
-  /** Half the diagonal: a ball of this radius around the center holds everything. */
+  /** Half the diagonal: a ball of this radius around the center holds everything. Never 0. */
   get radius(): number {
-    return length(subtract(this.#max, this.#min)) / 2;
+    return Math.max(length(subtract(this.#max, this.#min)) / 2, MIN_RADIUS * Math.max(1, this.reach));
   }
 
   /** The largest coordinate, of either sign. */

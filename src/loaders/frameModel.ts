@@ -24,7 +24,7 @@ export function frameBounds(bounds: Bounds): Camera {
     const across = Math.max(Math.abs(dot(offset, right)), Math.abs(dot(offset, up)));
     distance = Math.max(distance, dot(offset, back) + (MARGIN * across) / slope);
   }
-  if (distance === 0) distance = 1; // all in one point
+  distance = Math.max(distance, bounds.radius); // where all is in one point
   return { position: add(center, scale(back, distance)), target: center, verticalFov: VERTICAL_FOV };
 }
 
@@ -41,6 +41,8 @@ export type Table = {
 
 /** Irradiance in the middle of the model, W·m⁻²: white shows as white, not more, at an exposure of 0. */
 const IRRADIANCE = 4.5;
+/** A scene allows no more; a model that would want it is a hundred thousand kilometres large. */
+const MAX_POWER = 1e18;
 /** From the upper left, in front of the model: shadows fall to the right and back. */
 const LIGHT_FROM: Vec3 = [-0.7, 1.1, 0.8];
 const LIGHT_COLOR: Vec3 = [1, 0.96, 0.9];
@@ -67,7 +69,7 @@ export function setTable(bounds: Bounds, groundName: string): Table {
       type: "sphere",
       position: add(center, scale(normalize(LIGHT_FROM), distance)),
       radius,
-      power: scale(LIGHT_COLOR, IRRADIANCE * 4 * Math.PI * distance ** 2),
+      power: scale(LIGHT_COLOR, Math.min(MAX_POWER, IRRADIANCE * 4 * Math.PI * distance ** 2)),
     },
     environment: { radiance: [0.45, 0.48, 0.52] },
   };

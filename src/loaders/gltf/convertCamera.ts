@@ -56,6 +56,5 @@ function isLevel(right: Vec3, up: Vec3, ahead: Vec3): boolean {
 function depthOf(bounds: Bounds, position: Vec3, ahead: Vec3): number {
   if (bounds.isEmpty) return 1;
   const depth = dot(subtract(bounds.center, position), ahead);
-  if (depth > bounds.radius / 100) return depth;
-  return bounds.radius || 1;
+  return depth > bounds.radius / 100 ? depth : bounds.radius;
 }

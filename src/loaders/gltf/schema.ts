@@ -4,6 +4,7 @@
 
 import * as v from "valibot";
 import { LoadError } from "../../errors";
+import { show } from "../../scene/describe";
 import { formatPath } from "../../scene/parseScene";
 
 // The scene's numbers have to stay below 1e18 after a product of two.
@@ -202,8 +203,8 @@ export type GltfPrimitive = GltfJson["meshes"][number]["primitives"][number];
 export function parseGltfJson(input: unknown): GltfJson {
   const parsed = v.safeParse(GltfSchema, input, { abortEarly: true });
   if (!parsed.success) {
-    const [{ path, expected, received, message }] = parsed.issues;
-    const what = expected === null ? message : `expected ${expected}, got ${received}`;
+    const [{ path, expected, type, input: value }] = parsed.issues;
+    const what = value === undefined ? "is missing" : `expected ${expected ?? type}, got ${show(value)}`;
     throw new LoadError(`${formatPath(path ?? []) || "JSON"}: ${what}`);
   }
   const { version, minVersion = "2.0" } = parsed.output.asset;
