@@ -2,6 +2,7 @@ import type { Page } from "@playwright/test";
 import { encode } from "fast-png";
 import type { RtViewerElement } from "../../src/element";
 import { triangleFile } from "../support/gltf";
+import { packedFiles } from "../support/packedGltf";
 import { contrast, pictureOf } from "./support/picture";
 import { expect, test } from "./support/test";
 import { addViewer, openFixture, openViewer, waitForSamples } from "./support/viewer";
@@ -136,6 +137,19 @@ function meshOfOneView() {
     meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
   };
 }
+
+test("packed vertex data is unpacked, by decoders that are loaded then", async ({ page }) => {
+  const { meshopt, draco } = await packedFiles();
+  await openFixture(page);
+  for (const file of [meshopt, draco]) {
+    const counts = await page.evaluate(async (text) => {
+      const { loadGltf } = await globalThis.importGltf();
+      const { scene } = await loadGltf(Uint8Array.from(atob(text), (character) => character.charCodeAt(0)));
+      return scene.objects.map((object) => (object.type === "mesh" ? object.indices.length / 3 : 0));
+    }, binaryFile("", file).base64);
+    expect(counts).toEqual([200, 0]);
+  }
+});
 
 test("pictures are decoded to the bytes in the file, where alpha is 0 too", async ({ page }) => {
   const texels = Uint8Array.of(200, 100, 50, 0, 1, 2, 3, 255, 9, 128, 250, 100, 255, 255, 255, 1);
