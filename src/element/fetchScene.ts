@@ -1,7 +1,6 @@
 import { RtViewerError } from "../errors";
 import { fetchBytes } from "../loaders/fetchBytes";
 import type { LoadedScene } from "../loaders/loadedScene";
-import { loadScene } from "../loaders/loadScene";
 
 /**
  * Reads a scene file of any kind that `loadScene` knows. What is in a JSON scene is not validated here: the tracer does
@@ -13,5 +12,7 @@ import { loadScene } from "../loaders/loadScene";
 export async function fetchScene(src: string, base: string, signal: AbortSignal): Promise<LoadedScene> {
   if (!URL.canParse(src, base)) throw new RtViewerError(`${src} is not a URL`);
   const url = new URL(src, base).href;
-  return loadScene(await fetchBytes(url, signal), { name: url, baseUrl: url, signal });
+  // The code that tells files apart arrives while the file does.
+  const [bytes, { loadScene }] = await Promise.all([fetchBytes(url, signal), import("../loaders/loadScene")]);
+  return loadScene(bytes, { name: url, baseUrl: url, signal });
 }
