@@ -6,7 +6,7 @@ import { frameBounds, IDLE_CAMERA, setTable } from "./frameModel";
 import { checkReferences } from "./gltf/checkReferences";
 import { readContainer } from "./gltf/container";
 import { convertCamera } from "./gltf/convertCamera";
-import { convertLights } from "./gltf/convertLights";
+import { convertLights, warnOfBrightness } from "./gltf/convertLights";
 import { Materials } from "./gltf/materials";
 import { placeNodes } from "./gltf/nodes";
 import { MeshPlacer } from "./gltf/placeMeshes";
@@ -60,6 +60,7 @@ async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedS
 
   const camera = convertCamera(json, nodes, bounds, warnings) ?? (bounds.isEmpty ? IDLE_CAMERA : frameBounds(bounds));
   const lights = convertLights(json, nodes, warnings);
+  warnOfBrightness(lights, bounds, warnings);
   const scene: Scene = {
     camera,
     materials: materials.all,

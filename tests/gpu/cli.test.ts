@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { decode } from "fast-png";
 import { afterAll, describe, expect, test } from "vitest";
+import { triangleFile } from "../support/gltf";
 
 const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 const CORNELL = "tests/reference/scenes/cornell.json";
@@ -38,7 +39,8 @@ function figuresOf({ stdout }: Outcome): Record<string, unknown> {
 
 function sceneFile(name: string, scene: unknown): string {
   const path = join(folder, name);
-  writeFileSync(path, typeof scene === "string" ? scene : JSON.stringify(scene));
+  const isContent = typeof scene === "string" || scene instanceof Uint8Array;
+  writeFileSync(path, isContent ? scene : JSON.stringify(scene));
   return path;
 }
 
@@ -111,6 +113,10 @@ describe("npm run render ends with exit code 1, a message and no file", () => {
     "for a faulty scene, naming every fault": {
       args: () => [sceneFile("broken.json", broken)],
       says: ["maxBounces: expected an integer from 0", 'objects[0].material: no material is named "nowhere"'],
+    },
+    "for half of a .glb": {
+      args: () => [sceneFile("half.glb", triangleFile().subarray(0, 300))],
+      says: ["half.glb is cut off: it should have"],
     },
     "for a mesh": { args: () => [sceneFile("mesh.json", meshes)], says: ["mesh can't be rendered yet"] },
     "for text that is not JSON": { args: () => [sceneFile("text.json", "not JSON")], says: ["text.json is not JSON"] },

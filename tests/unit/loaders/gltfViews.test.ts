@@ -34,6 +34,15 @@ describe("lights", () => {
     expect(warnings).toEqual([]);
   });
 
+  test("a light in lumens, where ours are watts, is said to be too bright, and by how much", async () => {
+    // 1000 W in Blender, which writes 1000 · 683 / 4π candela, at the distance of its default scene.
+    const { warnings } = await load((json) => {
+      json.nodes[0].translation = [1, 2, -2.9];
+      withLight(json, { type: "point", intensity: 54_351 });
+    });
+    expect(warnings).toEqual(["The lights are about 9 stops too bright for an exposure of 0; try one of -9"]);
+  });
+
   test.each(["spot", "directional"])("a %s light is left out, and that is said", async (type) => {
     const { warnings } = await load((json) => withLight(json, { type, name: "Sun" }));
     expect(warnings).toEqual([`Lights of type ${type} are not supported, and left out (lights[0] "Sun")`]);
