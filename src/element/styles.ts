@@ -52,7 +52,7 @@ canvas:focus-visible {
   outline-offset: -10px;
 }
 .drop[hidden] { display: none; }
-.drop.reason { place-items: end start; background: none; outline: 0; text-shadow: 0 1px 3px #000; color: #ff9d8a; }
+.drop.reason { place-items: end start; background: linear-gradient(#17181c00 60%, #17181ce6); outline: 0; color: #ff9d8a; }
 
 .message {
   position: absolute;
