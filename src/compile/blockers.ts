@@ -17,7 +17,7 @@ export function canBlock(
   camera: Vec3,
 ): boolean {
   const { shape } = primitives[id]!;
-  if (shape.kind === "sphere" || shape.kind === "box") return true;
+  if (shape.kind === "sphere" || shape.kind === "box" || shape.kind === "mesh") return true;
   const point = pointOn(shape);
   const side = (p: Vec3) => dot(subtract(p, point), shape.normal);
 
@@ -50,14 +50,19 @@ export function extent(shape: Shape, normal: Vec3): Vec3[] {
       return [...shape.vertices];
     case "box":
       return corners(shape);
+    case "mesh": {
+      const bounds = [shape.lower, shape.upper];
+      return bounds.flatMap(([x]) => bounds.flatMap(([, y]) => bounds.map(([, , z]): Vec3 => [x, y, z])));
+    }
     case "plane":
       throw new RangeError("a plane has no extent");
   }
 }
 
 function extentOfEmitter(normal: Vec3): (emitter: Emitter) => Vec3[] {
-  return ({ kind, position, size, edge1, edge2 }) => {
+  return ({ kind, position, size, edge1, edge2, bound }) => {
     if (kind === "point") return [position];
+    if (kind === "mesh") return extent({ kind: "sphere", ...bound }, normal);
     if (kind === "sphere") return extent({ kind, center: position, radius: size }, normal);
     return [position, add(position, edge1), add(position, edge2), add(add(position, edge1), edge2)];
   };

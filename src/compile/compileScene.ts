@@ -4,6 +4,7 @@ import { canBlock } from "./blockers";
 import { emitScene } from "./emitScene";
 import { emittersOf, isEmissive } from "./emitters";
 import { deriveFeatures, describeFeatures, type Features, type ProgramSettings } from "./features";
+import type { Geometry } from "./geometry";
 import { packScene } from "./packScene";
 import { primitivesOf, type Shape } from "./primitives";
 import { Literals, Slots } from "./values";
@@ -36,23 +37,26 @@ export type CompiledScene = {
  * @param restingCamera - given one, values stand in the text as constants, and what they rule out, seen from that camera,
  * is left out. Faster to run, good for this scene only, and the same image up to rounding. Without one, values live in the
  * uniform, and the text depends only on what kinds of things there are.
+ * @param geometry - what `prepareGeometry` made of the scene's meshes, if it has any.
  * @throws {UnsupportedError} if the scene holds something that can't be rendered yet.
  */
 export function compileScene(
   scene: ResolvedScene,
   settings: ProgramSettings,
   restingCamera?: ResolvedCamera,
+  geometry?: Geometry,
 ): CompiledScene {
   // What the camera looks at is where digits matter. Subtracted in doubles, before anything is rounded to f32, it makes a
   // scene far from the world's origin as precise as one around it.
   const origin = scene.camera.target;
-  const primitives = primitivesOf(scene, origin);
+  const primitives = primitivesOf(scene, origin, geometry);
   const emitters = emittersOf(scene, primitives, origin);
   const environment = scene.environment.radiance;
   const features = deriveFeatures(
     primitives,
     emitters,
     environment.some((value) => value > 0),
+    geometry?.data.normals !== undefined,
     settings,
   );
   const slots = new Slots();
@@ -64,6 +68,7 @@ export function compileScene(
     camera ? new Literals() : slots,
     () => slots.numbers.length / 4,
     (id) => camera === undefined || canBlock(id, primitives, emitters, camera),
+    stackSizeFor(geometry),
   );
   const uniform = packScene(primitives, emitters, environment, slots.numbers);
   if (uniform.byteLength > MAX_UNIFORM_BYTES) {
@@ -80,4 +85,11 @@ export function compileScene(
     lamps: primitives.filter(isEmissive).map(({ shape }) => shape),
     origin,
   };
+}
+
+// The stack grows in steps, so that most meshes share a program.
+const STACK_STEP = 8;
+
+function stackSizeFor(geometry: Geometry | undefined): number {
+  return Math.max(Math.ceil((geometry ? geometry.depth + 1 : 0) / STACK_STEP), 1) * STACK_STEP;
 }

@@ -19,6 +19,7 @@ import { add, cross, length, scale, subtract } from "./vec3";
  * @param values - how numbers are named.
  * @param slotCount - how many slots the uniform holds, once all numbers are named.
  * @param blocks - whether primitive `id` can come between a shaded point and a light.
+ * @param stackSize - levels of the tree of meshes, at most.
  */
 export function emitScene(
   primitives: readonly Primitive[],
@@ -27,14 +28,17 @@ export function emitScene(
   values: Values,
   slotCount: () => number,
   blocks: (id: number) => boolean,
+  stackSize: number,
 ): string {
   const sampled = new Set(emitters.map((emitter) => emitter.primitive));
-  const emitted = primitives.map(({ shape }, id) => emitPrimitive(shape, id, values));
+  const emitted = primitives.flatMap(({ shape }, id) =>
+    shape.kind === "mesh" ? [] : [{ id, ...emitPrimitive(shape, id, values) }],
+  );
   const shear = features.TRIANGLES ? "  let shear = shearOf(ray);\n" : "";
 
-  const closest = emitted.map(({ distance }, id) => `  hit = nearer(hit, ${distance}, ${id}u, ray);\n`).join("");
+  const closest = emitted.map(({ id, distance }) => `  hit = nearer(hit, ${distance}, ${id}u, ray);\n`).join("");
   const blockers = emitted
-    .map(({ distance }, id) => {
+    .map(({ id, distance }) => {
       const isTarget = sampled.has(id);
       if (isTarget && emitters.length === 1) return ""; // a light never hides itself
       if (!blocks(id)) return "";
@@ -43,7 +47,7 @@ export function emitScene(
     })
     .join("");
   const normals = emitted
-    .map(({ normal }, id) => (normal ? `  n = select(n, ${normal}, id == ${id}u);\n` : ""))
+    .map(({ id, normal }) => (normal ? `  n = select(n, ${normal}, id == ${id}u);\n` : ""))
     .join("");
 
   const lightChoice = emitLightChoice(emitters, features, values);
@@ -56,6 +60,11 @@ import package::planar::{planeIntersect, planeIntersectX, planeIntersectY, plane
 import package::ray::{Hit, Ray, between, nearer, noHit};
 import package::sphere::{hugeSphereIntersect, sphereIntersect};
 import package::surface::{Material, Surface};
+import package::tree::{treeClosest, treeOccludes};
+
+// Ids from here on are those of triangles, by their slot in the tree.
+const PRIMITIVES = ${primitives.length}u;
+const STACK_SIZE = ${stackSize}u;
 
 struct Scene {
   environment: vec4f,
@@ -74,13 +83,13 @@ struct Scene {
 
 fn closestHit(ray: Ray) -> Hit {
 ${shear}  var hit = noHit();
-${closest}  return hit;
+${closest}${features.MESHES ? "  hit = treeClosest(ray, hit);\n" : ""}  return hit;
 }
 
 // Whether something other than \`target_\` lies between the ray's origin and the point at \`distance\`.
 fn occluded(ray: Ray, distance: f32, target_: u32) -> bool {
 ${shear}  var blocked = false;
-${blockers}  return blocked;
+${blockers}${features.MESHES ? "  if (!blocked) { blocked = treeOccludes(ray, distance, target_); }\n" : ""}  return blocked;
 }
 
 // Outward normals of shapes whose normal is neither constant nor radial.
@@ -153,7 +162,7 @@ type EmittedPrimitive = {
   readonly normal?: string;
 };
 
-function emitPrimitive(shape: Shape, id: number, values: Values): EmittedPrimitive {
+function emitPrimitive(shape: Exclude<Shape, { kind: "mesh" }>, id: number, values: Values): EmittedPrimitive {
   switch (shape.kind) {
     case "sphere":
       if (shape.foot) {

@@ -3,15 +3,18 @@ import type { Primitive, Shape } from "./primitives";
 import { add, cross, length, scale, subtract } from "./vec3";
 
 /** Kinds of emitter, by their number in `wgsl/lights.wgsl`. */
-export const LIGHT_KINDS = { sphere: 0, quad: 1, triangle: 2, point: 3 } as const;
+export const LIGHT_KINDS = { sphere: 0, quad: 1, triangle: 2, point: 3, mesh: 4 } as const;
 export type LightKind = keyof typeof LIGHT_KINDS;
 
 /** An emitter that next-event estimation samples. */
 export type Emitter = {
   readonly kind: LightKind;
-  /** Centre of a sphere, corner of a quad or triangle, position of a point. */
+  /**
+   * Centre of a sphere, corner of a quad or triangle, position of a point; of a mesh, first and number of its triangles in the
+   * geometry's table of those that shine.
+   */
   readonly position: Vec3;
-  /** Radius of a sphere, area of a quad or triangle; 0 for a point. */
+  /** Radius of a sphere, area of a quad, triangle or mesh; 0 for a point. */
   readonly size: number;
   readonly edge1: Vec3;
   readonly edge2: Vec3;
@@ -89,6 +92,27 @@ function surfaceEmitters(shape: Shape, radiance: Rgb, primitive: number): Emitte
     case "box": {
       const bound = { center: shape.center, radius: length(shape.halfSize) };
       return boxFaces(shape).map((face) => flat("quad", ...face, radiance, primitive, bound));
+    }
+    case "mesh": {
+      const { lower, upper, lamp } = shape;
+      if (!lamp) return [];
+      const bound = { center: scale(add(lower, upper), 0.5), radius: length(subtract(upper, lower)) / 2 };
+      // Of a closed surface, or of any seen from any side, a quarter of the area shows on average.
+      const strength = (sum(radiance) * lamp.area) / 4;
+      const position: Vec3 = [lamp.first, lamp.count, 0];
+      return [
+        {
+          ...NO_EDGES,
+          kind: "mesh",
+          position,
+          size: lamp.area,
+          radiance,
+          primitive,
+          strength,
+          front: undefined,
+          bound,
+        },
+      ];
     }
     case "plane":
       return [];

@@ -17,6 +17,7 @@ export function deriveFeatures(
   primitives: readonly Primitive[],
   emitters: readonly Emitter[],
   hasEnvironment: boolean,
+  isSmooth: boolean,
   settings: ProgramSettings,
 ) {
   const materials = primitives.flatMap(({ material }) => (material === "black" ? [] : [material]));
@@ -31,6 +32,9 @@ export function deriveFeatures(
     SPHERES: hasShape("sphere"),
     BOXES: hasShape("box"),
     TRIANGLES: hasShape("triangle"),
+    MESHES: hasShape("mesh"),
+    // Some mesh has normals.
+    SMOOTH: isSmooth,
     HUGE_SPHERES: hasHugeSpheres(primitives),
     RIMS: hasRims(primitives),
     DIFFUSE,
@@ -50,6 +54,7 @@ export function deriveFeatures(
     QUAD_LIGHTS: hasLight("quad"),
     TRIANGLE_LIGHTS: hasLight("triangle"),
     POINT_LIGHTS: hasLight("point"),
+    MESH_LIGHTS: hasLight("mesh"),
     MANY_LIGHTS: emitters.length > 1 && settings.estimator === "path",
     // Of those, some shine to one side only.
     FLAT_LIGHTS: emitters.some(({ front }) => front !== undefined),

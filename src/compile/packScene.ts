@@ -83,7 +83,8 @@ export function shapeRow(shape: Shape): number[] {
     case "sphere":
       return [...shape.center, shape.radius];
     case "box":
-      return [0, 0, 0, -1]; // its normal depends on the point: shapeNormal()
+    case "mesh":
+      return [0, 0, 0, -1]; // the normal depends on the point: shapeNormal(), meshPoint()
     default:
       return [...shape.normal, 0];
   }
@@ -121,6 +122,7 @@ function anchorRow(shape: Shape): number[] {
     case "sphere":
       return shape.foot ? [...shape.foot, 1] : [0, 0, 0, 0];
     case "box":
+    case "mesh":
       return [0, 0, 0, 0];
   }
 }
@@ -130,7 +132,7 @@ export function lightRows(emitters: readonly Emitter[]) {
   return emitters.map((emitter) => ({
     ...emitter,
     kind: LIGHT_KINDS[emitter.kind],
-    id: emitter.primitive ?? NO_PRIMITIVE,
+    id: emitter.kind === "mesh" ? NO_PRIMITIVE : (emitter.primitive ?? NO_PRIMITIVE),
   }));
 }
 

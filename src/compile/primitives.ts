@@ -1,5 +1,6 @@
-import { UnsupportedError } from "../errors";
 import type { ResolvedLight, ResolvedMaterial, ResolvedObject, ResolvedScene, Rgb, Vec3 } from "../scene/schema";
+import type { Geometry } from "./geometry";
+import type { MeshLamp } from "./packLamps";
 import { cross, dot, length, normalize, scale, subtract } from "./vec3";
 
 export type Axis = "X" | "Y" | "Z";
@@ -29,6 +30,14 @@ export type Shape =
       readonly halfSize: Vec3;
       /** Angle about Y in radians; undefined when the box is axis-aligned. */
       readonly turn: number | undefined;
+    }
+  | {
+      /** Its triangles are in the compiled scene's geometry. */
+      readonly kind: "mesh";
+      readonly lower: Vec3;
+      readonly upper: Vec3;
+      /** Of a mesh that emits and has an area. */
+      readonly lamp: MeshLamp | undefined;
     };
 
 /** Something a ray can hit. Its index in the scene is its id in the shader. */
@@ -40,12 +49,17 @@ export type Primitive = {
   readonly emission: Rgb;
 };
 
-/** The scene's objects, then its sphere lights. */
-export function primitivesOf(scene: ResolvedScene, origin: Vec3): Primitive[] {
+/**
+ * The scene's objects, then its sphere lights.
+ *
+ * @param geometry - of the scene's meshes.
+ */
+export function primitivesOf(scene: ResolvedScene, origin: Vec3, geometry?: Geometry): Primitive[] {
   const reach = length(subtract(scene.camera.position, origin));
-  const objects = scene.objects.map((object) => {
+  const objects = scene.objects.map((object, id) => {
     const material = scene.materials[object.material]!;
-    return { shape: shapeOf(object, origin, reach), material, emission: material.emission };
+    const shape = object.type === "mesh" ? meshShape(id, geometry) : shapeOf(object, origin, reach);
+    return { shape, material, emission: material.emission };
   });
   const lights = scene.lights.flatMap((light): Primitive[] =>
     light.type === "sphere"
@@ -76,7 +90,13 @@ function sphereOf(center: Vec3, radius: number, reach: number): Shape {
 // Below this, coordinates relative to a sphere's centre lose no more than 6 bits against those relative to what is in view.
 const HUGE = 64;
 
-function shapeOf(object: ResolvedObject, origin: Vec3, reach: number): Shape {
+function meshShape(id: number, geometry: Geometry | undefined): Shape {
+  const part = geometry?.parts.find((candidate) => candidate.id === id);
+  if (!geometry || !part) throw new TypeError(`objects[${id}]: the geometry of this mesh has not been prepared`);
+  return { kind: "mesh", lower: part.lower, upper: part.upper, lamp: geometry.lamps.get(id) };
+}
+
+function shapeOf(object: Exclude<ResolvedObject, { type: "mesh" }>, origin: Vec3, reach: number): Shape {
   switch (object.type) {
     case "sphere":
       return sphereOf(subtract(object.center, origin), object.radius, reach);
@@ -101,10 +121,6 @@ function shapeOf(object: ResolvedObject, origin: Vec3, reach: number): Shape {
       const turn = object.rotationY % 180 === 0 ? undefined : (object.rotationY * Math.PI) / 180;
       return { kind: "box", center: subtract(object.center, origin), halfSize: scale(object.size, 0.5), turn };
     }
-    case "mesh":
-      throw new UnsupportedError(
-        "objects of type mesh can't be rendered yet; use triangle, quad, box, sphere or plane",
-      );
     default:
       return unreachable(object);
   }

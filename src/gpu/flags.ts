@@ -11,6 +11,7 @@ export const BufferUsage = {
 
 export const TextureUsage = {
   COPY_SRC: 0x01,
+  COPY_DST: 0x02,
   TEXTURE_BINDING: 0x04,
   RENDER_ATTACHMENT: 0x10,
 } as const;

@@ -1,8 +1,10 @@
 import type { StructValue } from "../compile/defineStruct";
+import type { Features } from "../compile/features";
 import { FRAME } from "../compile/layouts";
 import type { Film } from "./film";
 import { BufferUsage, ShaderStage } from "./flags";
 import { createComputePipeline } from "./pipelines";
+import { geometryLayout, type SceneGeometry } from "./sceneGeometry";
 
 /** One dispatch's camera, tile, samples and settings. */
 export type FrameUniforms = StructValue<typeof FRAME.fields>;
@@ -10,29 +12,33 @@ export type FrameUniforms = StructValue<typeof FRAME.fields>;
 const WORKGROUP = 8; // @workgroup_size of trace() and traceLamps()
 
 /** The entry points of a tracer; `lamps` where the scene has any. */
-export type TracePipelines = { readonly trace: GPUComputePipeline; readonly lamps: GPUComputePipeline | undefined };
+export type TracePipelines = {
+  readonly trace: GPUComputePipeline;
+  readonly lamps: GPUComputePipeline | undefined;
+  /** The part of their bind group that a scene's geometry fills. */
+  readonly geometry: readonly GPUBindGroupLayoutEntry[];
+};
 
 /** @throws {WebGpuError} with the compiler's messages. */
 export async function createTracePipelines(
   device: GPUDevice,
   wgsl: string,
-  hasLamps: boolean,
+  features: Features,
 ): Promise<TracePipelines> {
-  const layout = createTraceLayout(device);
+  const geometry = geometryLayout(features);
+  const layout = createTraceLayout(device, geometry);
   const [trace, lamps] = await Promise.all([
     createComputePipeline(device, "trace", wgsl, "trace", layout),
-    hasLamps ? createComputePipeline(device, "lamps", wgsl, "traceLamps", layout) : undefined,
+    features.LAMPS ? createComputePipeline(device, "lamps", wgsl, "traceLamps", layout) : undefined,
   ]);
-  return { trace, lamps };
+  return { trace, lamps, geometry };
 }
 
-/** Bindings: frame, scene, film, counters, carries. Not every program reads the scene uniform. */
-function createTraceLayout(device: GPUDevice): GPUPipelineLayout {
+/** Bindings: frame, scene, film, counters, carries, geometry. Not every program reads the scene uniform. */
+function createTraceLayout(device: GPUDevice, geometry: readonly GPUBindGroupLayoutEntry[]): GPUPipelineLayout {
   const types = ["uniform", "uniform", "storage", "storage", "storage"] as const;
-  const group = device.createBindGroupLayout({
-    label: "trace",
-    entries: types.map((type, binding) => ({ binding, visibility: ShaderStage.COMPUTE, buffer: { type } })),
-  });
+  const own = types.map((type, binding) => ({ binding, visibility: ShaderStage.COMPUTE, buffer: { type } }));
+  const group = device.createBindGroupLayout({ label: "trace", entries: [...own, ...geometry] });
   return device.createPipelineLayout({ label: "trace", bindGroupLayouts: [group] });
 }
 
@@ -45,7 +51,7 @@ export class TracePass {
   readonly #bindGroup: GPUBindGroup;
   readonly #frameBytes = new DataView(new ArrayBuffer(FRAME.bytes));
 
-  constructor(device: GPUDevice, pipelines: TracePipelines, scene: ArrayBuffer, film: Film) {
+  constructor(device: GPUDevice, pipelines: TracePipelines, scene: ArrayBuffer, geometry: SceneGeometry, film: Film) {
     this.#device = device;
     this.#pipelines = pipelines;
     const usage = BufferUsage.UNIFORM | BufferUsage.COPY_DST;
@@ -55,10 +61,13 @@ export class TracePass {
     this.#bindGroup = device.createBindGroup({
       label: "trace",
       layout: pipelines.trace.getBindGroupLayout(0),
-      entries: [this.#frame, this.#scene, film.sums, film.counters, film.carries].map((buffer, binding) => ({
-        binding,
-        resource: { buffer },
-      })),
+      entries: [
+        ...[this.#frame, this.#scene, film.sums, film.counters, film.carries].map((buffer, binding) => ({
+          binding,
+          resource: { buffer },
+        })),
+        ...geometry.entries(pipelines.geometry),
+      ],
     });
   }
 

@@ -8,7 +8,7 @@ const VERTICAL_FOV = 35;
 /** From the front right, a little above: models face +Z, by glTF's convention. */
 const FROM: Vec3 = [0.5, 0.35, 1];
 /** How much of the frame stays free around the model, as a factor on the distance. */
-const MARGIN = 1.1;
+const MARGIN = 1.05;
 
 /** Looks at the middle of the bounds from a distance at which all of them is in a square picture, so in a wider one too. */
 export function frameBounds(bounds: Bounds): Camera {
@@ -40,7 +40,7 @@ export type Table = {
 };
 
 /** Irradiance in the middle of the model, W·m⁻²: white shows as white, not more, at an exposure of 0. */
-const IRRADIANCE = 4.5;
+const IRRADIANCE = 3.6;
 /** A scene allows no more; a model that would want it is a hundred thousand kilometres large. */
 const MAX_POWER = 1e18;
 /** From the upper left, in front of the model: shadows fall to the right and back. */

@@ -1,7 +1,11 @@
 import type { CompiledScene } from "../compile/compileScene";
 import type { Film } from "../gpu/film";
+import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { TracePass } from "../gpu/tracePass";
 import { createProgram, type Program, programKey } from "./program";
+
+/** What a program reads and writes besides the scene's values. */
+export type Target = { readonly geometry: SceneGeometry; readonly film: Film };
 
 /**
  * The program of a scene at rest, with the scene's values as constants. It is the same estimator with the same points as
@@ -11,7 +15,7 @@ export class Baked {
   readonly #device: GPUDevice;
   #program: Program | undefined;
   #trace: TracePass | undefined;
-  #film: Film | undefined;
+  #target: Target | undefined;
   #compiling: Promise<void> | undefined;
   /** Counts the changes that make a compilation under way worthless. */
   #changes = 0;
@@ -30,30 +34,31 @@ export class Baked {
   }
 
   /** Compiles the scene, unless that is done or under way. Resolves when the program is in use. */
-  compile(scene: () => CompiledScene, film: Film): Promise<void> {
+  compile(scene: () => CompiledScene, target: Target): Promise<void> {
     if (this.#program) return Promise.resolve();
-    this.#compiling ??= this.#compile(scene(), film).finally(() => {
+    this.#compiling ??= this.#compile(scene(), target).finally(() => {
       this.#compiling = undefined;
     });
     return this.#compiling;
   }
 
-  async #compile(scene: CompiledScene, film: Film): Promise<void> {
+  async #compile(scene: CompiledScene, target: Target): Promise<void> {
     const changes = this.#changes;
     const program = await createProgram(this.#device, scene);
     if (changes !== this.#changes) return;
     this.#program = program;
-    this.#use(program, scene, film);
+    this.#use(program, scene, target);
   }
 
   /** Follows a change: the program stays in use if it fits the scene as it is now. */
-  change(scene: () => CompiledScene, film: Film): void {
+  change(scene: () => CompiledScene, target: Target): void {
     this.#changes++;
     if (!this.#program || !this.#trace) return;
     const compiled = scene();
     if (programKey(compiled) !== this.#program.key) this.drop();
-    else if (film === this.#film) this.#trace.writeScene(compiled.uniform);
-    else this.#use(this.#program, compiled, film);
+    else if (target.film === this.#target?.film && target.geometry === this.#target.geometry) {
+      this.#trace.writeScene(compiled.uniform);
+    } else this.#use(this.#program, compiled, target);
   }
 
   /** Ends the program's use. */
@@ -64,9 +69,9 @@ export class Baked {
     this.#program = undefined;
   }
 
-  #use(program: Program, scene: CompiledScene, film: Film): void {
+  #use(program: Program, scene: CompiledScene, target: Target): void {
     this.#trace?.dispose();
-    this.#film = film;
-    this.#trace = new TracePass(this.#device, program.pipelines, scene.uniform, film);
+    this.#target = target;
+    this.#trace = new TracePass(this.#device, program.pipelines, scene.uniform, target.geometry, target.film);
   }
 }

@@ -1,14 +1,16 @@
 import { type CompiledScene, compileScene } from "../compile/compileScene";
+import { type Geometry, hasMeshes, prepareGeometry } from "../compile/geometry";
 import { linkModule } from "../compile/linkProgram";
 import { WebGpuError } from "../errors";
 import { adapterName, requestDevice } from "../gpu/device";
 import { ErrorPass } from "../gpu/errorPass";
 import { Film } from "../gpu/film";
 import { createComputePipeline } from "../gpu/pipelines";
+import { SceneGeometry } from "../gpu/sceneGeometry";
 import { type FrameUniforms, TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
-import { Baked } from "./baked";
+import { Baked, type Target } from "./baked";
 import { cameraBasis, lampPixels, rayStart } from "./camera";
 import { Display, readPicture, type View } from "./display";
 import { InFlight } from "./inFlight";
@@ -62,6 +64,7 @@ export class PathTracer {
   #settings: Settings;
   #compiled: CompiledScene;
   #program: Program;
+  #geometry: SceneGeometry;
   #trace: TracePass;
   /** Stands in for program and trace while the scene rests. */
   readonly #baked: Baked;
@@ -74,9 +77,11 @@ export class PathTracer {
 
   /** The film must be cleared before the next sample, because what it shows has changed. */
   #stale = true;
-  /** The program being compiled, and what will be shown with it; the newest only. */
-  #compiling: Promise<void> | undefined;
+  /** What will be shown once it is prepared and compiled, and that work; the newest only. */
   #pending: Shown | undefined;
+  #installing: Promise<void> | undefined;
+  /** Counts installations: an older one gives way. */
+  #installs = 0;
   /** When the accumulation last started anew. */
   #restartedAt = 0;
   #failure: unknown;
@@ -98,14 +103,15 @@ export class PathTracer {
   static async create(options: PathTracerOptions): Promise<PathTracer> {
     const settings = { ...DEFAULT_SETTINGS, ...options.settings };
     const scene = parseScene(options.scene);
-    const compiled = compileScene(scene, settings);
+    const geometry = await prepareGeometry(scene);
+    const compiled = compileScene(scene, settings, undefined, geometry);
     const device = options.device ?? (await requestDevice());
     try {
       const [program, errorPipeline] = await Promise.all([
         createProgram(device, compiled),
         linkModule("error").then((code) => createComputePipeline(device, "error", code, "sumErrors")),
       ]);
-      return new PathTracer(options, device, settings, scene, compiled, program, errorPipeline);
+      return new PathTracer(options, device, settings, scene, geometry, compiled, program, errorPipeline);
     } catch (error) {
       if (!options.device) device.destroy();
       throw error;
@@ -117,6 +123,7 @@ export class PathTracer {
     device: GPUDevice,
     settings: Settings,
     scene: ResolvedScene,
+    geometry: Geometry | undefined,
     compiled: CompiledScene,
     program: Program,
     errorPipeline: GPUComputePipeline,
@@ -133,7 +140,8 @@ export class PathTracer {
     this.#film = new Film(device, width, height);
     this.#progress = new Progress(height);
     this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
-    this.#trace = new TracePass(device, program.pipelines, compiled.uniform, this.#film);
+    this.#geometry = new SceneGeometry(device, geometry);
+    this.#trace = this.#createTrace();
     this.#shared = this.#sharedUniforms();
     device.addEventListener("uncapturederror", this.#onDeviceError);
     this.#baked = new Baked(device);
@@ -199,7 +207,7 @@ export class PathTracer {
     this.#trace.dispose();
     this.#film = new Film(this.device, width, height);
     this.#errorPass = new ErrorPass(this.device, this.#errorPipeline, this.#film);
-    this.#trace = new TracePass(this.device, this.#program.pipelines, this.#compiled.uniform, this.#film);
+    this.#trace = this.#createTrace();
     this.#restart();
   }
 
@@ -226,7 +234,7 @@ export class PathTracer {
    * @throws {WebGpuError} if this or earlier work on the device failed.
    */
   async sample(count: number): Promise<void> {
-    while (!this.#inFlight.isEmpty || this.#compiling) await Promise.all([this.#inFlight.all(), this.#compiling]);
+    while (!this.#inFlight.isEmpty || this.#installing) await Promise.all([this.#inFlight.all(), this.#installing]);
     if (this.#disposed) return;
     if (this.#stale) this.#restart();
     if (count >= BAKE_SAMPLES) await this.compile();
@@ -252,7 +260,7 @@ export class PathTracer {
   async compile(): Promise<void> {
     if (!this.#settings.constants || this.#disposed) return;
     if (this.#stale) this.#restart();
-    await this.#baked.compile(this.#bakedScene, this.#film);
+    await this.#baked.compile(this.#bakedScene, this.#target);
     if (this.#disposed) this.#baked.drop();
     else this.#meter.useProgram(this.program);
   }
@@ -281,7 +289,7 @@ export class PathTracer {
     if (this.#stale && !isFirstPass) this.#restart();
     const remaining = this.#settings.maxSamples - this.#progress.samples;
     if (this.stats.converged || remaining <= 0) return false;
-    if (!this.#compiling && performance.now() - this.#restartedAt > REST_MS) this.compile().catch(this.#fail);
+    if (!this.#installing && performance.now() - this.#restartedAt > REST_MS) this.compile().catch(this.#fail);
     this.#work(FRAME_BUDGET_MS, this.#settings.samplesPerFrame, remaining, false).catch(this.#fail);
     return true;
   }
@@ -309,6 +317,7 @@ export class PathTracer {
     this.#disposed = true;
     this.device.removeEventListener("uncapturederror", this.#onDeviceError);
     this.#trace.dispose();
+    this.#geometry.dispose();
     this.#baked.drop();
     this.#errorPass.dispose();
     this.#inFlight.dispose();
@@ -323,47 +332,65 @@ export class PathTracer {
     else this.#display = display;
   }
 
-  /** Shows something else, compiling first if the program does not fit it. A newer call overtakes an older one. */
+  /** Shows something else, once its meshes are sorted and a program that fits it is compiled. A newer call overtakes an older one. */
   async #install(next: Shown): Promise<void> {
-    const compiled = compileScene(next.scene, this.#settings);
-    if (programKey(compiled) === this.#program.key) {
-      this.#compiling = undefined;
-      this.#show(next, compiled);
-      return;
-    }
-    const compiling = createProgram(this.device, compiled).then((program) => {
-      if (this.#compiling !== compiling || this.#disposed) return;
-      this.#compiling = undefined;
-      this.#program = program;
-      this.#trace.dispose();
-      this.#trace = new TracePass(this.device, program.pipelines, compiled.uniform, this.#film);
-      this.#show(this.#pending ?? next, compiled);
-      this.#restart();
-    });
-    this.#compiling = compiling;
+    const install = ++this.#installs;
     this.#pending = next;
-    await compiling.finally(() => {
-      if (this.#compiling === compiling) this.#compiling = undefined;
+    const installing = this.#prepare(next.scene, () => install !== this.#installs || this.#disposed);
+    this.#installing = installing;
+    await installing.finally(() => {
+      if (install !== this.#installs) return;
+      this.#installing = undefined;
+      this.#pending = undefined;
     });
   }
 
-  #show({ scene, camera }: Shown, compiled: CompiledScene): void {
+  /** In one go where nothing has to be sorted or compiled. */
+  async #prepare(scene: ResolvedScene, isOvertaken: () => boolean): Promise<void> {
+    const geometry = hasMeshes(scene) ? await prepareGeometry(scene, this.#geometry.source) : undefined;
+    if (isOvertaken()) return;
+    const compiled = compileScene(scene, this.#settings, undefined, geometry);
+    const isFitting = programKey(compiled) === this.#program.key;
+    const program = isFitting ? this.#program : await createProgram(this.device, compiled);
+    if (!isOvertaken()) this.#show(this.#pending!, geometry, compiled, program);
+  }
+
+  #show({ scene, camera }: Shown, geometry: Geometry | undefined, compiled: CompiledScene, program: Program): void {
     this.#pending = undefined;
     this.#scene = scene;
     this.#camera = camera;
     this.#compiled = compiled;
     this.#stale = true;
+    if (program === this.#program && geometry === this.#geometry.source) return;
+    if (geometry !== this.#geometry.source) {
+      this.#geometry.dispose();
+      this.#geometry = new SceneGeometry(this.device, geometry);
+    }
+    this.#program = program;
+    this.#trace.dispose();
+    this.#trace = this.#createTrace();
+    this.#restart();
   }
 
   /** The scene as it is, with its values as constants. */
-  readonly #bakedScene = (): CompiledScene => compileScene(this.#scene, this.#settings, this.#camera);
+  readonly #bakedScene = (): CompiledScene =>
+    compileScene(this.#scene, this.#settings, this.#camera, this.#geometry.source);
+
+  get #target(): Target {
+    return { geometry: this.#geometry, film: this.#film };
+  }
+
+  #createTrace(): TracePass {
+    const { pipelines } = this.#program;
+    return new TracePass(this.device, pipelines, this.#compiled.uniform, this.#geometry, this.#film);
+  }
 
   #restart(): void {
     this.#stale = false;
     this.#restartedAt = performance.now();
     this.#shared = this.#sharedUniforms();
     this.#trace.writeScene(this.#compiled.uniform);
-    if (this.#settings.constants) this.#baked.change(this.#bakedScene, this.#film);
+    if (this.#settings.constants) this.#baked.change(this.#bakedScene, this.#target);
     else this.#baked.drop();
     this.#meter.useProgram(this.program);
     this.#progress = new Progress(this.height);

@@ -3,28 +3,34 @@
 // [1] Shirley, Wang, Zimmerman 1996, "Monte Carlo Techniques for Direct Lighting Calculations", TOG 15(1)
 // [2] Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., section 6.2.4
 // [3] Heitz 2019, "A Low-Distortion Map Between Triangle and Square"
+// [4] Walker 1977, "An Efficient Method for Generating Discrete Random Variables with General Distributions", TOMS 3(3)
 import package::bsdf::bsdfExpect;
 import package::constants::{NONE, TWO_PI};
+import package::dimensions::LIGHT_TRIANGLE;
 import package::directions::{circle, uniformSphere};
 import package::frame::{frameAround, toLocal, toWorld};
-import package::scene::{chooseLight, lightAt, lightBoundOf, shapeOf};
+import package::sampler::{Sampler, point};
+import package::scene::{PRIMITIVES, chooseLight, lightAt, lightBoundOf, shapeOf};
 import package::surface::Surface;
+import package::tree::itemAt;
 
 const SPHERE_LIGHT = 0u;
 const QUAD_LIGHT = 1u;
 const TRIANGLE_LIGHT = 2u;
 const POINT_LIGHT = 3u;
+const MESH_LIGHT = 4u;
 
 // One emitter, packed by compile/packScene.ts.
 struct Light {
-  // Centre of a sphere, corner of a quad or triangle, position of a point.
+  // Centre of a sphere, corner of a quad or triangle, position of a point; of a mesh, where its triangles stand in
+  // `shiningTriangles` and how many there are.
   position: vec3f,
-  // Radius of a sphere, area of a quad or triangle.
+  // Radius of a sphere, area of a quad, triangle or mesh.
   size: f32,
   edge1: vec3f,
   kind: u32,
   edge2: vec3f,
-  // Primitive that carries the emission, NONE for a point.
+  // Primitive that carries the emission, NONE for a point and a mesh.
   id: u32,
   // Radiance; intensity of a point.
   radiance: vec3f,
@@ -48,13 +54,14 @@ struct LightSample {
   estimate: vec3f,
   // Per steradian, the choice of light included; 0 for a point light, which no ray can hit.
   pdf: f32,
+  // What shines, as a ray would hit it; NONE for a point.
   id: u32,
   // Of the choice: see LightChoice.
   totalWeight: f32,
 }
 
-// A point on a light that may shine on the surface.
-fn sampleLight(surface: Surface, u: vec2f) -> LightSample {
+// A point on a light that may shine on the surface: `u` chooses the light and the point, `pick` the triangle of a mesh.
+fn sampleLight(surface: Surface, u: vec2f, pick: vec2f) -> LightSample {
   let choice = chooseLight(surface, u);
   let p = surface.p;
   let light = lightAt(choice.index);
@@ -65,11 +72,18 @@ fn sampleLight(surface: Surface, u: vec2f) -> LightSample {
   @if(QUAD_LIGHTS) if (isKind(kind, QUAD_LIGHT)) { sample = samplePlanar(p, light, choice.u); }
   @if(TRIANGLE_LIGHTS) if (isKind(kind, TRIANGLE_LIGHT)) { sample = samplePlanar(p, light, squareToTriangle(choice.u)); }
   @if(POINT_LIGHTS) if (isKind(kind, POINT_LIGHT)) { sample = samplePoint(p, light.position); }
+  sample.id = light.id;
+  @if(MESH_LIGHTS) if (isKind(kind, MESH_LIGHT)) { sample = sampleMesh(p, light, choice.u, pick); }
   sample.estimate *= select(light.radiance / choice.probability, vec3f(0.0), choice.probability == 0.0);
   sample.pdf *= choice.probability;
-  sample.id = light.id;
   sample.totalWeight = choice.totalWeight;
   return sample;
+}
+
+// The point that chooses the triangle of a mesh.
+fn trianglePick(samples: Sampler, dimension: u32) -> vec2f {
+  @if(MESH_LIGHTS) return point(samples, dimension | LIGHT_TRIANGLE);
+  @if(!MESH_LIGHTS) return vec2f(0.0);
 }
 
 // Whether this light is of a kind; known at compile time when the scene has only one.
@@ -152,14 +166,43 @@ fn samplePlanar(p: vec3f, light: Light, u: vec2f) -> LightSample {
   return fromArea(p, light.position + u.x * light.edge1 + u.y * light.edge2, n, light.size);
 }
 
+// A triangle of a mesh by Walker's method: in proportion to their areas, to within a share of 2⁻²⁴ of the mesh's. [4]
+struct ShiningTriangle {
+  // Whether this triangle keeps its turn, or gives it to another.
+  probability: f32,
+  slot: u32,
+  other: u32,
+  unused: u32,
+}
+
+// Written by the renderer when the geometry changes.
+@if(MESH_LIGHTS)
+@group(0) @binding(8) var<storage, read> shiningTriangles: array<ShiningTriangle>;
+
+// Uniform on a mesh's whole surface.
+@if(MESH_LIGHTS)
+fn sampleMesh(p: vec3f, light: Light, u: vec2f, pick: vec2f) -> LightSample {
+  let index = min(u32(pick.x * light.position.y), u32(light.position.y) - 1u);
+  let entry = shiningTriangles[u32(light.position.x) + index];
+  let slot = select(entry.other, entry.slot, pick.y < entry.probability);
+  let item = itemAt(slot);
+  let edge1 = item.b - item.a;
+  let edge2 = item.c - item.a;
+  let front = normalize(cross(edge1, edge2)) * select(1.0, -1.0, item.isTurned);
+  let at = squareToTriangle(u);
+  var sample = fromArea(p, item.a + at.x * edge1 + at.y * edge2, front, light.size);
+  sample.id = PRIMITIVES + slot;
+  return sample;
+}
+
 // [3]
-@if(TRIANGLE_LIGHTS)
+@if(TRIANGLE_LIGHTS || MESH_LIGHTS)
 fn squareToTriangle(u: vec2f) -> vec2f {
   return select(vec2f(0.5 * u.x, u.y - 0.5 * u.x), vec2f(u.x - 0.5 * u.y, 0.5 * u.y), u.x > u.y);
 }
 
 // Turns a uniform density on an area into one per solid angle, seen from p. n is the emitting side.
-@if(QUAD_LIGHTS || TRIANGLE_LIGHTS || (SPHERE_LIGHTS && UNIFORM))
+@if(QUAD_LIGHTS || TRIANGLE_LIGHTS || MESH_LIGHTS || (SPHERE_LIGHTS && UNIFORM))
 fn fromArea(p: vec3f, q: vec3f, n: vec3f, area: f32) -> LightSample {
   let toLight = q - p;
   let d2 = dot(toLight, toLight);

@@ -8,11 +8,11 @@ import package::constants::NONE;
 import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::frame::{toLocal, toWorld};
 import package::lamps::inLampWindow;
-import package::lights::{lightShareOf, sampleLight};
+import package::lights::{lightShareOf, sampleLight, trianglePick};
 import package::ray::makeRay;
 import package::sampler::{Sampler, independent, point, subsample};
 import package::scene::{closestHit, environment, occluded};
-import package::surface::{Surface, surfaceAt};
+import package::surface::{Surface, primitiveOf, surfaceAt};
 import package::uniforms::{countRay, frame};
 
 // Paths shorter than this are never ended at random. [2]
@@ -39,7 +39,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     let surface = surfaceAt(ray, hit);
     @if(EMISSION) {
       var lightPdf = lightSampleCount() * surface.lightPdf;
-      @if(MANY_LIGHTS) lightPdf *= lightShareOf(hit.id, last) / max(totalWeight, 1e-36);
+      @if(MANY_LIGHTS) lightPdf *= lightShareOf(primitiveOf(hit.id), last) / max(totalWeight, 1e-36);
       let weight = select(powerHeuristic(pdf, lightPdf), 1.0, pdf == 0.0);
       L += beta * surface.Le * select(weight, 0.0, pdf < 0.0);
     }
@@ -56,12 +56,14 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     @if(LOBES) choice = point(samples, dimensionAt(depth, LOBE));
     @if(!LOBES) choice.y = independent(samples, depth);
     let next = bsdfSample(surface.bsdf, surface.wo, point(samples, dimensionAt(depth, DIRECTION)), choice.x);
+    let wi = toWorld(surface.frame, next.wi);
     beta *= next.weight;
+    @if(SMOOTH) beta *= select(0.0, 1.0, dot(wi, surface.ng) > 0.0);
     pdf = next.pdf;
     let survival = select(min(max(max(beta.r, beta.g), beta.b), 1.0), 1.0, depth < ROULETTE_DEPTH);
     if (choice.y >= survival || all(beta == vec3f(0.0))) { break; }
     beta /= survival;
-    ray = makeRay(surface.p, toWorld(surface.frame, next.wi), surface.source);
+    ray = makeRay(surface.p, wi, surface.source);
   }
   return L;
 }
@@ -69,22 +71,23 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
 // Light that arrives straight from an emitter and is reflected towards the viewer; in a the total weight of the lights.
 @if(LIGHTS)
 fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec4f {
-  @if(!MANY_LIGHT_SAMPLES) return oneLight(surface, point(samples, dimension), 1.0);
+  @if(!MANY_LIGHT_SAMPLES) return oneLight(surface, samples, dimension, 1.0);
   @if(MANY_LIGHT_SAMPLES) {
     var sum = vec4f(0.0);
     for (var i = 0u; i < frame.lightSamples; i++) {
-      sum += oneLight(surface, point(subsample(samples, i, frame.lightSamples), dimension), lightSampleCount());
+      sum += oneLight(surface, subsample(samples, i, frame.lightSamples), dimension, lightSampleCount());
     }
     return sum / lightSampleCount();
   }
 }
 
 @if(LIGHTS)
-fn oneLight(surface: Surface, u: vec2f, sampleCount: f32) -> vec4f {
-  let light = sampleLight(surface, u);
+fn oneLight(surface: Surface, samples: Sampler, dimension: u32, sampleCount: f32) -> vec4f {
+  let light = sampleLight(surface, point(samples, dimension), trianglePick(samples, dimension));
   let f = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi));
   let weight = select(powerHeuristic(sampleCount * light.pdf, f.a), 1.0, light.pdf == 0.0);
-  let reflected = f.rgb * light.estimate * weight;
+  var reflected = f.rgb * light.estimate * weight;
+  @if(SMOOTH) reflected *= select(0.0, 1.0, dot(light.wi, surface.ng) > 0.0);
   if (all(reflected == vec3f(0.0))) { return vec4f(vec3f(0.0), light.totalWeight); }
   countRay();
   let hidden = occluded(makeRay(surface.p, light.wi, surface.source), light.distance, light.id);

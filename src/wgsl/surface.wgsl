@@ -3,9 +3,11 @@ import package::bsdf::{Bsdf, specularShare};
 import package::constants::{INSIDE};
 import package::frame::{Frame, frameAround, toLocal};
 import package::lights::sphereLightPdf;
+import package::mesh::{MeshPoint, consistentNormal, meshPoint};
 import package::multiscatter::multiscatterGain;
 import package::ray::{Hit, Ray};
-import package::scene::{F0Of, alphaOf, anchorOf, diffuseOf, emissionOf, f0Of, f90Of, lightDensityOf, multiscatterOf, schlickBeckmannOf, shapeNormal, shapeOf};
+import package::tree::itemAt;
+import package::scene::{F0Of, PRIMITIVES, alphaOf, anchorOf, diffuseOf, emissionOf, f0Of, f90Of, lightDensityOf, multiscatterOf, schlickBeckmannOf, shapeNormal, shapeOf};
 
 // Packed by compile/packScene.ts, one per primitive.
 struct Material {
@@ -28,6 +30,8 @@ struct Surface {
   p: vec3f,
   // n on the viewer's side.
   frame: Frame,
+  // Of the surface itself, on the viewer's side, where n may be an interpolated one.
+  @if(SMOOTH) ng: vec3f,
   // Towards the viewer, in the local frame.
   wo: vec3f,
   bsdf: Bsdf,
@@ -40,18 +44,27 @@ struct Surface {
 }
 
 fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
-  let shape = shapeOf(hit.id);
+  var id = hit.id;
+  @if(MESHES) let isTriangle = hit.id >= PRIMITIVES;
+  @if(MESHES) var triangle: MeshPoint;
+  @if(MESHES) {
+    if (isTriangle) {
+      triangle = meshPoint(ray, hit);
+      id = triangle.id;
+    }
+  }
+  let shape = shapeOf(id);
   var p = ray.o + hit.t * ray.d;
   var n = shape.xyz;
   @if(RIMS) {
     // Back onto the plane, and by a few ULP towards the middle: a point on the edge of a wall then lies on the inner side of
     // the next wall, where the ray that found it came from.
-    let anchor = anchorOf(hit.id);
+    let anchor = anchorOf(id);
     let q = p - anchor.xyz;
     p = select(p, anchor.xyz + anchor.w * (q - dot(q, n) * n), shape.w == 0.0);
   }
   @if(SPHERES) let isSphere = shape.w > 0.0;
-  @if(HUGE_SPHERES) let isHuge = isSphere & (anchorOf(hit.id).w > 0.0);
+  @if(HUGE_SPHERES) let isHuge = isSphere & (anchorOf(id).w > 0.0);
   @if(HUGE_SPHERES) let flight = p;
   @if(SPHERES) {
     // Back onto the sphere: the point is then as exact as the radius, however far the ray came.
@@ -60,7 +73,7 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
     n = radial;
   }
   @if(HUGE_SPHERES) {
-    let anchor = anchorOf(hit.id);
+    let anchor = anchorOf(id);
     let g = flight - anchor.xyz;
     let spoke = anchor.xyz - shape.xyz;
     let f = g + spoke;
@@ -68,31 +81,46 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
     n = select(n, normalize(f), isHuge);
     p = select(p, flight - height * n, isHuge);
   }
-  @if(BOXES) n = shapeNormal(ray, hit.id, p, n);
+  @if(BOXES) n = shapeNormal(ray, id, p, n);
+  @if(MESHES) n = select(n, triangle.n, isTriangle);
   let cosine = -dot(ray.d, n);
   var front = cosine > 0.0;
   @if(SPHERES) {
     // A sphere is met from the side the ray starts on; at grazing angles rounding would have it otherwise now and then. Of a
     // huge one the origin's side is the less certain.
     let toOrigin = ray.o - shape.xyz;
-    let startsInside = (ray.source == (hit.id | INSIDE)) | (dot(toOrigin, toOrigin) < shape.w * shape.w);
+    let startsInside = (ray.source == (id | INSIDE)) | (dot(toOrigin, toOrigin) < shape.w * shape.w);
     @if(!HUGE_SPHERES) front = select(front, !startsInside, isSphere);
     @if(HUGE_SPHERES) front = select(front, !startsInside, isSphere & !isHuge);
   }
 
   var surface: Surface;
   surface.p = p;
-  surface.frame = frameAround(select(-n, n, front));
+  var facing = select(-n, n, front);
+  @if(MESHES) surface.p = select(p, triangle.p + triangle.clearance * facing, isTriangle);
+  @if(SMOOTH) {
+    surface.ng = facing;
+    let shading = select(-triangle.shading, triangle.shading, front);
+    facing = select(facing, consistentNormal(shading, facing, -ray.d), isTriangle);
+  }
+  surface.frame = frameAround(facing);
   surface.wo = toLocal(surface.frame, -ray.d);
-  surface.bsdf = bsdfOf(hit.id, surface.wo.z);
+  surface.bsdf = bsdfOf(id, surface.wo.z);
   @if(EMISSION) {
-    surface.Le = select(vec3f(0.0), emissionOf(hit.id), front);
-    surface.lightPdf = lightPdf(lightDensityOf(hit.id), shape, ray, hit.t, cosine);
+    surface.Le = select(vec3f(0.0), emissionOf(id), front);
+    surface.lightPdf = lightPdf(lightDensityOf(id), shape, ray, hit.t, cosine);
   }
   surface.source = hit.id;
   // Only a closed shape can be hit again from where the ray leaves it.
-  @if(SPHERES || BOXES) surface.source |= select(INSIDE, 0u, front || shape.w == 0.0);
+  @if((SPHERES || BOXES) && !MESHES) surface.source |= select(INSIDE, 0u, front || shape.w == 0.0);
+  @if((SPHERES || BOXES) && MESHES) surface.source |= select(INSIDE, 0u, front || shape.w == 0.0 || isTriangle);
   return surface;
+}
+
+// The primitive of what a ray hits: of a triangle, its mesh.
+fn primitiveOf(id: u32) -> u32 {
+  @if(MESHES) return select(id, itemAt(id - PRIMITIVES).id, id >= PRIMITIVES);
+  @if(!MESHES) return id;
 }
 
 // How a primitive scatters, seen under cosO. Reads only what the scene's materials make use of: every field costs a gather.

@@ -5,7 +5,7 @@ import package::camera::cameraRay;
 import package::constants::NONE;
 import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::frame::{toLocal, toWorld};
-import package::lights::sampleLight;
+import package::lights::{sampleLight, trianglePick};
 import package::ray::makeRay;
 import package::sampler::{Sampler, point, subsample};
 import package::scene::{closestHit, environment, occluded};
@@ -33,30 +33,33 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
 
     let choice = point(samples, dimensionAt(depth, LOBE));
     let next = bsdfSampleUniform(surface.bsdf, surface.wo, point(samples, dimensionAt(depth, DIRECTION)), choice.x);
+    let wi = toWorld(surface.frame, next.wi);
     beta *= next.weight;
+    @if(SMOOTH) beta *= select(0.0, 1.0, dot(wi, surface.ng) > 0.0);
     counted = next.pdf > 0.0;
     if (all(beta == vec3f(0.0))) { break; }
-    ray = makeRay(surface.p, toWorld(surface.frame, next.wi), surface.source);
+    ray = makeRay(surface.p, wi, surface.source);
   }
   return L;
 }
 
 @if(LIGHTS)
 fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
-  @if(!MANY_LIGHT_SAMPLES) return oneLight(surface, point(samples, dimension));
+  @if(!MANY_LIGHT_SAMPLES) return oneLight(surface, samples, dimension);
   @if(MANY_LIGHT_SAMPLES) {
     var sum = vec3f(0.0);
     for (var i = 0u; i < frame.lightSamples; i++) {
-      sum += oneLight(surface, point(subsample(samples, i, frame.lightSamples), dimension));
+      sum += oneLight(surface, subsample(samples, i, frame.lightSamples), dimension);
     }
     return sum / f32(frame.lightSamples);
   }
 }
 
 @if(LIGHTS)
-fn oneLight(surface: Surface, u: vec2f) -> vec3f {
-  let light = sampleLight(surface, u);
-  let reflected = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi)).rgb * light.estimate;
+fn oneLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
+  let light = sampleLight(surface, point(samples, dimension), trianglePick(samples, dimension));
+  var reflected = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi)).rgb * light.estimate;
+  @if(SMOOTH) reflected *= select(0.0, 1.0, dot(light.wi, surface.ng) > 0.0);
   if (all(reflected == vec3f(0.0))) { return vec3f(0.0); }
   countRay();
   return select(reflected, vec3f(0.0), occluded(makeRay(surface.p, light.wi, surface.source), light.distance, light.id));

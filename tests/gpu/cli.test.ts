@@ -6,6 +6,7 @@ import { fileURLToPath } from "node:url";
 import { decode } from "fast-png";
 import { afterAll, describe, expect, test } from "vitest";
 import { triangleFile } from "../support/gltf";
+import { everythingFile } from "../support/gltfEverything";
 
 const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 const CORNELL = "tests/reference/scenes/cornell.json";
@@ -92,6 +93,21 @@ describe("npm run render, seed 7", () => {
     );
   });
 
+  test("takes a .glb with pictures in it, and says what it leaves out", async () => {
+    const out = join(folder, "glb.png");
+    const outcome = await render(
+      sceneFile("x.glb", everythingFile({ animations: [{}] })),
+      "--size",
+      "32x24",
+      "--out",
+      out,
+    );
+    expect(outcome.stderr).toBe("Animations are not supported: the pose at rest is shown\n");
+    expect(outcome.code).toBe(0);
+    const { data } = decode(readFileSync(out));
+    expect(new Set(data).size).toBeGreaterThan(10);
+  });
+
   test("stops at the target error", async () => {
     const outcome = await render(CORNELL, "--size", "32x32", "--samples", "4096", "--target-error", "0.2");
     expect(outcome.code).toBe(0);
@@ -104,10 +120,6 @@ describe("npm run render, seed 7", () => {
 describe("npm run render ends with exit code 1, a message and no file", () => {
   const cornell = JSON.parse(readFileSync(join(ROOT, CORNELL), "utf8")) as { objects: object[] };
   const broken = { ...cornell, maxBounces: -1, objects: [{ ...cornell.objects[0], material: "nowhere" }] };
-  const meshes = {
-    ...cornell,
-    objects: [{ type: "mesh", positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], indices: [0, 1, 2], material: "white" }],
-  };
 
   const cases: Readonly<Record<string, { args: () => string[]; says: string[] }>> = {
     "for a faulty scene, naming every fault": {
@@ -118,7 +130,6 @@ describe("npm run render ends with exit code 1, a message and no file", () => {
       args: () => [sceneFile("half.glb", triangleFile().subarray(0, 300))],
       says: ["half.glb is cut off: it should have"],
     },
-    "for a mesh": { args: () => [sceneFile("mesh.json", meshes)], says: ["mesh can't be rendered yet"] },
     "for text that is not JSON": { args: () => [sceneFile("text.json", "not JSON")], says: ["text.json is not JSON"] },
     "for a file that is not there": { args: () => [join(folder, "none.json")], says: ["could not read", "none.json"] },
     "for no file": { args: () => [], says: ["expected one scene file", "Usage:"] },

@@ -158,7 +158,7 @@ async function sampleLights({ objects = [], lights = [] }: Emitting, points: rea
         seen.frame = frameAround(normalize(select(-p, vec3f(0.0, 0.0, 1.0), all(p == vec3f(0.0)))));
         seen.wo = vec3f(sqrt(0.5), 0.0, sqrt(0.5));
         seen.bsdf = Bsdf(vec3f(0.5), vec3f(0.04), 0.04, 1.0, 0.16, 0.0, 0.3, vec3f(1.0));
-        let light = sampleLight(seen, point(samples, 1u));
+        let light = sampleLight(seen, point(samples, 1u), vec2f(0.0));
         let row = bitcast<vec4u>(vec4f(light.distance, light.pdf, light.estimate.r, 0.0));
         outputs[2u * i] = vec4u(row.xyz, light.id);
         let ray = makeRay(p, light.wi, NONE);

@@ -1,8 +1,12 @@
 import { encode } from "fast-png";
 import { Packer, TRIANGLE } from "./gltf";
 
-/** A .glb with one of each thing that the loader reads, and nothing that it does not. */
-export function everythingFile(): Uint8Array {
+/**
+ * A .glb with one of each thing that the loader reads, and nothing that it does not.
+ *
+ * @param more - JSON to add.
+ */
+export function everythingFile(more: Readonly<Record<string, unknown>> = {}): Uint8Array {
   const packer = new Packer();
   const picture = encode({ width: 2, height: 2, channels: 3, data: Uint8Array.from({ length: 12 }, (_, i) => 20 * i) });
   const sparse = {
@@ -57,5 +61,6 @@ export function everythingFile(): Uint8Array {
     ],
     scenes: [{ nodes: [0, 3, 4, 5] }],
     scene: 0,
+    ...more,
   });
 }

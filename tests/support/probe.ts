@@ -1,6 +1,9 @@
 import { type LinkParams, link } from "wesl/core";
-import { BufferUsage, MapMode } from "../../src/gpu/flags";
+import type { Features } from "../../src/compile/features";
+import type { Geometry } from "../../src/compile/geometry";
+import { BufferUsage, MapMode, ShaderStage } from "../../src/gpu/flags";
 import { createComputePipeline } from "../../src/gpu/pipelines";
+import { geometryLayout, SceneGeometry } from "../../src/gpu/sceneGeometry";
 import { testDevice } from "./device";
 
 /** The shader modules of `src/wgsl`, as `compile/linkProgram.ts` names them. */
@@ -25,19 +28,36 @@ export type Probe = {
   readonly modules?: Readonly<Record<string, string>>;
   /** Contents of the uniform `scene`, where `wgsl` reads it. */
   readonly scene?: ArrayBuffer;
+  /** Of a scene with meshes; `conditions` are its features then. */
+  readonly geometry?: Geometry | undefined;
 };
 
 const WORKGROUP = 64;
+// Beyond the bindings of the modules themselves.
+const INPUTS = 20;
+const OUTPUTS = 21;
 
 /** Runs functions of the shader modules on the device, each on its own, and returns the words that they wrote. */
-export async function runProbe({ wgsl, conditions, count, inputs, outputRows, modules, scene }: Probe) {
+export async function runProbe({ wgsl, conditions, count, inputs, outputRows, modules, scene, geometry }: Probe) {
   const device = await testDevice();
   const { dest } = await link({
     weslSrc: { ...MODULES, ...modules, "./probe.wgsl": `${wgsl}\n${harness(count)}` },
     rootModuleName: "probe",
     ...(conditions && { conditions }),
   });
-  const pipeline = await createComputePipeline(device, "probe", dest, "main");
+  const geometryEntries = geometry ? geometryLayout(conditions as Features) : [];
+  const visibility = ShaderStage.COMPUTE;
+  const layout = device.createBindGroupLayout({
+    label: "probe",
+    entries: [
+      ...(scene ? [{ binding: 1, visibility, buffer: { type: "uniform" as const } }] : []),
+      ...geometryEntries,
+      { binding: INPUTS, visibility, buffer: { type: "read-only-storage" } },
+      { binding: OUTPUTS, visibility, buffer: { type: "storage" } },
+    ],
+  });
+  const pipelineLayout = device.createPipelineLayout({ label: "probe", bindGroupLayouts: [layout] });
+  const pipeline = await createComputePipeline(device, "probe", dest, "main", pipelineLayout);
 
   const bytes = 16 * outputRows;
   const { STORAGE, UNIFORM, COPY_DST, COPY_SRC, MAP_READ } = BufferUsage;
@@ -45,6 +65,7 @@ export async function runProbe({ wgsl, conditions, count, inputs, outputRows, mo
   const input = create("probe inputs", Math.max(inputs.byteLength, 16), STORAGE | COPY_DST);
   const output = create("probe outputs", bytes, STORAGE | COPY_SRC);
   const staging = create("probe readback", bytes, COPY_DST | MAP_READ);
+  const sceneGeometry = new SceneGeometry(device, geometry);
   const uniform = scene && create("scene", scene.byteLength, UNIFORM | COPY_DST);
   device.queue.writeBuffer(input, 0, inputs.buffer as ArrayBuffer, inputs.byteOffset, inputs.byteLength);
   if (scene && uniform) device.queue.writeBuffer(uniform, 0, scene);
@@ -54,10 +75,11 @@ export async function runProbe({ wgsl, conditions, count, inputs, outputRows, mo
   pass.setPipeline(pipeline);
   const entries = [
     ...(uniform ? [{ binding: 1, resource: { buffer: uniform } }] : []),
-    { binding: 8, resource: { buffer: input } },
-    { binding: 9, resource: { buffer: output } },
+    ...sceneGeometry.entries(geometryEntries),
+    { binding: INPUTS, resource: { buffer: input } },
+    { binding: OUTPUTS, resource: { buffer: output } },
   ];
-  pass.setBindGroup(0, device.createBindGroup({ label: "probe", layout: pipeline.getBindGroupLayout(0), entries }));
+  pass.setBindGroup(0, device.createBindGroup({ label: "probe", layout, entries }));
   pass.dispatchWorkgroups(Math.ceil(count / WORKGROUP));
   pass.end();
   encoder.copyBufferToBuffer(output, 0, staging, 0, bytes);
@@ -65,13 +87,14 @@ export async function runProbe({ wgsl, conditions, count, inputs, outputRows, mo
   await staging.mapAsync(MapMode.READ);
   const words = new Uint32Array(staging.getMappedRange().slice(0));
   for (const buffer of [input, output, staging, uniform]) buffer?.destroy();
+  sceneGeometry.dispose();
   return words;
 }
 
 function harness(count: number): string {
   return `
-@group(0) @binding(8) var<storage, read> inputs: array<vec4u>;
-@group(0) @binding(9) var<storage, read_write> outputs: array<vec4u>;
+@group(0) @binding(${INPUTS}) var<storage, read> inputs: array<vec4u>;
+@group(0) @binding(${OUTPUTS}) var<storage, read_write> outputs: array<vec4u>;
 
 @compute @workgroup_size(${WORKGROUP})
 fn main(@builtin(global_invocation_id) id: vec3u) {

@@ -1,4 +1,5 @@
 import { compileScene } from "../../src/compile/compileScene";
+import { prepareGeometry } from "../../src/compile/geometry";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Scene, Vec3 } from "../../src/scene/schema";
 import { runProbe } from "./probe";
@@ -48,7 +49,7 @@ export class Rays {
   }
 }
 
-/** What rays met: primitive ids, NONE for nothing, and distances; per ray, in order. */
+/** What rays met: ids of primitives, or of triangles of meshes by their slot after the primitives; NONE for nothing, and distances; per ray, in order. */
 export type Traced = {
   readonly id: Uint32Array;
   readonly t: Float32Array;
@@ -62,11 +63,10 @@ export type Traced = {
 
 /** Traces rays, two segments each, through a compiled scene on the device. */
 export async function traceRays(scene: Scene, rays: Rays, method: Method = "ours"): Promise<Traced> {
-  const { sceneModule, features, uniform } = compileScene(parseScene(scene), {
-    estimator: "path",
-    sampler: "sobol",
-    lightSamples: 1,
-  });
+  const resolved = parseScene(scene);
+  const settings = { estimator: "path", sampler: "sobol", lightSamples: 1 } as const;
+  const geometry = await prepareGeometry(resolved);
+  const { sceneModule, features, uniform } = compileScene(resolved, settings, undefined, geometry);
   const isOurs = method === "ours";
   const words = await runProbe({
     wgsl: `
@@ -91,6 +91,7 @@ export async function traceRays(scene: Scene, rays: Rays, method: Method = "ours
     conditions: features,
     modules: { ...(isOurs ? {} : TEXTBOOK), "./scene.wgsl": sceneModule },
     scene: uniform,
+    geometry,
     count: rays.count,
     inputs: rays.values,
     outputRows: 3 * rays.count,

@@ -109,7 +109,7 @@ async function sampleGrid(radius: number, distance: number) {
       fn probe(i: u32) {
         let u = (vec2f(f32(i % ${GRID}u), f32(i / ${GRID}u)) + 0.5) / ${GRID}.0;
         var atOrigin: Surface;
-        let light = sampleLight(atOrigin, u);
+        let light = sampleLight(atOrigin, u, vec2f(0.0));
         let center = bitcast<vec4f>(inputs[0]);
         outputs[2u * i] = bitcast<vec4u>(vec4f(light.wi, light.distance));
         outputs[2u * i + 1u] = bitcast<vec4u>(vec4f(light.estimate.r, light.pdf, coneSolidAngle(vec3f(0.0), center.xyz, center.w), 0.0));

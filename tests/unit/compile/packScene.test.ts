@@ -164,6 +164,7 @@ describe("lights", () => {
       quad: constant("QUAD_LIGHT"),
       triangle: constant("TRIANGLE_LIGHT"),
       point: constant("POINT_LIGHT"),
+      mesh: constant("MESH_LIGHT"),
     });
   });
 

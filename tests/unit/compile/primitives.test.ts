@@ -1,7 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { primitivesOf, type Shape } from "../../../src/compile/primitives";
-import { UnsupportedError } from "../../../src/errors";
-import { box, mesh, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
+import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { SceneObject, Vec3 } from "../../../src/scene/schema";
 import { sceneOf } from "../../support/compiled";
@@ -139,10 +138,4 @@ test("a sphere light's radiance is power / (4π²·radius²)", () => {
   expect(primitive!.emission[0]).toBeCloseTo(10 / (Math.PI * area), 12);
   expect(primitive!.emission[1]).toBeCloseTo(20 / (Math.PI * area), 12);
   expect(primitive!.emission[2]).toBe(0);
-});
-
-test("a mesh is refused, with what to use instead", () => {
-  const object = mesh({ positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], indices: [0, 1, 2], material });
-  expect(() => shapeOf(object)).toThrow(UnsupportedError);
-  expect(() => shapeOf(object)).toThrow(/mesh.*triangle/);
 });

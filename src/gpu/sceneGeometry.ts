@@ -1,0 +1,102 @@
+import type { Features } from "../compile/features";
+import type { Geometry, GeometryData } from "../compile/geometry";
+import { UnsupportedError } from "../errors";
+import { BufferUsage, ShaderStage, TextureUsage } from "./flags";
+
+type Part = keyof GeometryData;
+
+/** Bindings of the trace pass's group that hold geometry, as `wgsl/tree.wgsl`, `mesh.wgsl` and `lights.wgsl` declare them. */
+const BINDINGS: Readonly<Record<Part, { readonly binding: number; readonly isTexture?: boolean }>> = {
+  nodes: { binding: 5, isTexture: true },
+  items: { binding: 6, isTexture: true },
+  normals: { binding: 7 },
+  shiningTriangles: { binding: 8 },
+};
+
+/** What a program with these features reads. */
+export function geometryLayout({ MESHES, SMOOTH, MESH_LIGHTS }: Features): GPUBindGroupLayoutEntry[] {
+  const parts: readonly Part[] = [
+    ...(MESHES ? (["nodes", "items"] as const) : []),
+    ...(SMOOTH ? (["normals"] as const) : []),
+    ...(MESH_LIGHTS ? (["shiningTriangles"] as const) : []),
+  ];
+  return parts.map((part) => {
+    const { binding, isTexture } = BINDINGS[part];
+    const visibility = ShaderStage.COMPUTE;
+    if (isTexture) return { binding, visibility, texture: { sampleType: "uint" } };
+    return { binding, visibility, buffer: { type: "read-only-storage" } };
+  });
+}
+
+/** The geometry of a scene's meshes on the GPU. */
+export class SceneGeometry {
+  readonly source: Geometry | undefined;
+  readonly #resources: ReadonlyMap<number, GPUBuffer | GPUTexture>;
+
+  /** @throws {UnsupportedError} if the device has no room for so much in one piece. */
+  constructor(device: GPUDevice, geometry: Geometry | undefined) {
+    this.source = geometry;
+    const data = Object.entries(geometry?.data ?? {}) as [Part, ArrayBuffer | undefined][];
+    this.#resources = new Map(
+      data.flatMap(([part, bytes]) => {
+        const { binding, isTexture } = BINDINGS[part];
+        if (bytes === undefined) return [];
+        return [[binding, isTexture ? createTexels(device, part, bytes) : createBuffer(device, part, bytes)]];
+      }),
+    );
+  }
+
+  /** The entries of a bind group that a layout asks for. */
+  entries(layout: readonly GPUBindGroupLayoutEntry[]): GPUBindGroupEntry[] {
+    return layout.map(({ binding }) => {
+      const resource = this.#resources.get(binding)!;
+      return { binding, resource: "createView" in resource ? resource.createView() : { buffer: resource } };
+    });
+  }
+
+  dispose(): void {
+    for (const resource of this.#resources.values()) resource.destroy();
+  }
+}
+
+function createBuffer(device: GPUDevice, label: string, bytes: ArrayBuffer): GPUBuffer {
+  const size = bytes.byteLength;
+  checkSize(label, size, device.limits.maxStorageBufferBindingSize);
+  const buffer = device.createBuffer({ label, size, usage: BufferUsage.STORAGE, mappedAtCreation: true });
+  new Uint8Array(buffer.getMappedRange()).set(new Uint8Array(bytes));
+  buffer.unmap();
+  return buffer;
+}
+
+const TEXEL_BYTES = 16;
+/** Texels in a row, as `texel` in `wgsl/tree.wgsl` has it: every device's maxTextureDimension2D. */
+const ROW = 8192;
+
+/** Words, four in a texel, in rows. */
+function createTexels(device: GPUDevice, label: string, bytes: ArrayBuffer): GPUTexture {
+  const texels = bytes.byteLength / TEXEL_BYTES;
+  const fullRows = Math.floor(texels / ROW);
+  const rest = texels % ROW;
+  checkSize(label, bytes.byteLength, device.limits.maxTextureDimension2D * ROW * TEXEL_BYTES);
+  const texture = device.createTexture({
+    label,
+    size: [ROW, Math.max(fullRows + (rest > 0 ? 1 : 0), 1)],
+    format: "rgba32uint",
+    usage: TextureUsage.TEXTURE_BINDING | TextureUsage.COPY_DST,
+  });
+  const write = (y: number, width: number, height: number) => {
+    const layout = { offset: y * ROW * TEXEL_BYTES, bytesPerRow: ROW * TEXEL_BYTES };
+    device.queue.writeTexture({ texture, origin: [0, y] }, bytes, layout, [width, height]);
+  };
+  if (fullRows > 0) write(0, ROW, fullRows);
+  if (rest > 0) write(fullRows, rest, 1);
+  return texture;
+}
+
+function checkSize(label: string, bytes: number, limit: number): void {
+  if (bytes <= limit) return;
+  const [needed, available] = [bytes, limit].map((size) => `${Math.ceil(size / 2 ** 20)} MiB`);
+  throw new UnsupportedError(
+    `the ${label} of the scene's meshes need ${needed}; this device has room for ${available}`,
+  );
+}

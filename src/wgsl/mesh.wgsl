@@ -1,0 +1,100 @@
+// What a ray finds on a triangle of a mesh.
+//
+// [1] Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., section 6.8.4
+// [2] Keller et al. 2017, "The Iray Light Transport Simulation and Rendering System", appendix A.3
+// [3] Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2)
+import package::ray::{Hit, Ray};
+import package::scene::PRIMITIVES;
+import package::tree::itemAt;
+
+// Of each triangle the normals of its three vertices, octahedral, two snorm16 each. By slot. Written by the renderer when the
+// geometry changes.
+@if(SMOOTH)
+@group(0) @binding(7) var<storage, read> normals: array<u32>;
+
+// [1] eq. 6.15 bounds the rounding of a point of barycentric coordinates by γ₇, 7 half ULP, of the sum below; a WGSL device
+// may round either way, which makes it 7 ULP, and what is added to the point is itself rounded once more.
+const POINT_ERROR = 0x1.4p-20;
+
+// Draws points this much of the way to the triangle's middle, at most: no more than a hundredth of a pixel where a triangle
+// spans three.
+const MAX_STEP = 0x1p-8;
+
+struct MeshPoint {
+  // Within the triangle, and not on its edges.
+  p: vec3f,
+  // Primitive that the triangle is a part of.
+  id: u32,
+  // Of the triangle's front, unit.
+  n: vec3f,
+  // How far rays that leave from p must start off the surface, so that rounding puts none on its other side.
+  clearance: f32,
+  // Interpolated, unit, on n's side.
+  @if(SMOOTH) shading: vec3f,
+}
+
+fn meshPoint(ray: Ray, hit: Hit) -> MeshPoint {
+  let slot = hit.id - PRIMITIVES;
+  let item = itemAt(slot);
+  let edge1 = item.b - item.a;
+  let edge2 = item.c - item.a;
+  let edge3 = item.c - item.b;
+  let longest = sqrt(max(dot(edge1, edge1), max(dot(edge2, edge2), dot(edge3, edge3))));
+  // In units of the longest edge, so that no product underflows.
+  let e1 = edge1 / longest;
+  let e2 = edge2 / longest;
+  let area = cross(e1, e2);
+  let twiceArea = length(area);
+  let normal = area / twiceArea;
+
+  // Barycentric coordinates of where the ray is, rid of its distance's rounding.
+  let q = (ray.o + hit.t * ray.d - item.a) / longest;
+  let along = vec2f(dot(cross(q, e2), normal), dot(cross(e1, q), normal)) / twiceArea;
+  var weights = max(vec3f(1.0 - along.x - along.y, along), vec3f(0.0));
+  weights /= weights.x + weights.y + weights.z;
+  let error = POINT_ERROR * max(max(abs(item.a), abs(item.b)), abs(item.c));
+  let toEdge = longest * twiceArea / 3.0;
+  weights = mix(weights, vec3f(1.0 / 3.0), min(4.0 * length(error) / toEdge, MAX_STEP));
+
+  var found: MeshPoint;
+  found.p = weights.x * item.a + weights.y * item.b + weights.z * item.c;
+  found.id = item.id;
+  found.n = select(normal, -normal, item.isTurned);
+  found.clearance = dot(abs(normal), error);
+  @if(SMOOTH) found.shading = shadingNormal(slot, weights, found.n);
+  return found;
+}
+
+@if(SMOOTH)
+fn shadingNormal(slot: u32, weights: vec3f, n: vec3f) -> vec3f {
+  let sum = weights.x * octahedral(normals[3u * slot]) + weights.y * octahedral(normals[3u * slot + 1u]) +
+    weights.z * octahedral(normals[3u * slot + 2u]);
+  let size = length(sum);
+  let shading = select(n, sum / size, size > 1e-6); // opposite normals may cancel out
+  return select(shading, -shading, dot(shading, n) < 0.0);
+}
+
+// Of a vertex without a normal: its triangles are flat.
+const NO_NORMAL = 0x80008000u;
+
+// [3]
+@if(SMOOTH)
+fn octahedral(packed: u32) -> vec3f {
+  let e = unpack2x16snorm(packed);
+  let z = 1.0 - abs(e.x) - abs(e.y);
+  let folded = (1.0 - abs(e.yx)) * select(vec2f(-1.0), vec2f(1.0), e >= vec2f(0.0));
+  let unit = normalize(vec3f(select(folded, e, z >= 0.0), z));
+  return select(unit, vec3f(0.0), packed == NO_NORMAL);
+}
+
+// A shading normal may face away from a viewer who sees the triangle, or mirror him into it: he would see black. Bent just far
+// enough that the mirror direction leaves the surface. All unit; n on the viewer's side. [2]
+@if(SMOOTH)
+fn consistentNormal(shading: vec3f, n: vec3f, wo: vec3f) -> vec3f {
+  let mirrored = reflect(-wo, shading);
+  // What the mirror direction's cosine should be at least; less where the view itself is more grazing.
+  let least = min(0.01, 0.9 * dot(wo, n));
+  let missing = least - dot(mirrored, n);
+  let bent = normalize(wo + normalize(mirrored + missing * n));
+  return select(shading, bent, missing > 0.0);
+}
