@@ -6,7 +6,7 @@ export const MAX_TRIANGLES = 2 ** 23;
 export const MAX_VERTICES = 2 ** 24;
 /** Of all pictures together: 256 MiB. */
 export const MAX_TEXELS = 2 ** 26;
-/** What all vertex data and indices of a file may unpack to. Accessors can share bytes, so it can be more than the file has. */
+/** What all vertex data of a file may unpack to, and all its picture files together. Parts can share bytes, so it can be more than the file has. */
 export const MAX_UNPACKED_BYTES = 2 ** 30;
 /** Meshes in the scene, after instancing. */
 export const MAX_OBJECTS = 2 ** 17;

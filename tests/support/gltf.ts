@@ -55,7 +55,7 @@ export class Packer {
   addView(bytes: Uint8Array, more: Json = {}): number {
     while (this.#bytes.length % 4 !== 0) this.#bytes.push(0);
     const byteOffset = this.#bytes.length;
-    this.#bytes.push(...bytes);
+    for (const byte of bytes) this.#bytes.push(byte);
     return this.bufferViews.push({ buffer: 0, byteOffset, byteLength: bytes.length, ...more }) - 1;
   }
 

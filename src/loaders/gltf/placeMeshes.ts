@@ -8,7 +8,7 @@ import { Bounds } from "../bounds";
 import { MAX_DISTANCE, MAX_OBJECTS, MAX_TRIANGLES, MAX_VERTICES } from "../limits";
 import type { Materials } from "./materials";
 import { checkReach, compose, type PlacedNode } from "./nodes";
-import { hasTriangles, readTriangles, type Triangles } from "./primitive";
+import { hasTriangles, readTriangles, type Triangles, VertexData } from "./primitive";
 import type { GltfJson } from "./schema";
 import { transformUvs } from "./textureCoordinates";
 import { flipWinding, isIdentity, isMirror, transformNormals, transformPositions } from "./transform";
@@ -26,16 +26,16 @@ export class MeshPlacer {
   readonly objects: SceneObject[] = [];
   readonly bounds = new Bounds();
   readonly #json: GltfJson;
-  readonly #accessors: readonly Accessor[];
+  readonly #data: VertexData;
   readonly #materials: Materials;
   /** By mesh. */
   readonly #shapes = new Map<number, readonly Shape[]>();
-  #triangleCount = 0;
-  #vertexCount = 0;
+  readonly #read = new Tally();
+  readonly #placed = new Tally();
 
   constructor(json: GltfJson, accessors: readonly Accessor[], materials: Materials) {
     this.#json = json;
-    this.#accessors = accessors;
+    this.#data = new VertexData(accessors);
     this.#materials = materials;
   }
 
@@ -45,7 +45,7 @@ export class MeshPlacer {
     const shapes = this.#shapesOf(node.mesh);
     const instances = node.extensions?.EXT_mesh_gpu_instancing?.attributes;
     const path = `nodes[${index}]`;
-    const places = instances === undefined ? [world] : instanceMatrices(instances, this.#accessors, world, path);
+    const places = instances === undefined ? [world] : instanceMatrices(instances, this.#data, world, path);
     for (const place of places) this.#add(shapes, place);
   }
 
@@ -55,8 +55,12 @@ export class MeshPlacer {
     const shapes: Shape[] = [];
     this.#json.meshes[mesh]!.primitives.forEach((primitive, i) => {
       if (!hasTriangles(primitive)) return;
-      const triangles = readTriangles(primitive, this.#accessors, `meshes[${mesh}].primitives[${i}]`);
+      // Shared data is counted each time, because work and memory are spent on it each time.
+      const { indices = primitive.attributes.POSITION } = primitive;
+      this.#read.add(indices === undefined ? 0 : this.#data.at(indices).getCount() / 3, 0);
+      const triangles = readTriangles(primitive, this.#data, `meshes[${mesh}].primitives[${i}]`);
       if (triangles === undefined) return;
+      this.#read.add(0, triangles.positions.length / 3);
       const { name, coordinates } = this.#materials.choose(primitive.material, triangles.uvs);
       const uvs = coordinates && transformUvs(triangles.uvs.get(coordinates.set)!, coordinates);
       shapes.push({ triangles, material: name, ...(uvs && { uvs }) });
@@ -68,7 +72,9 @@ export class MeshPlacer {
   #add(shapes: readonly Shape[], world: Float64Array): void {
     for (const shape of shapes) {
       const { positions, normals, indices } = shape.triangles;
-      this.#count(indices.length / 3, positions.length / 3);
+      this.#placed.add(indices.length / 3, positions.length / 3);
+      if (this.objects.length === MAX_OBJECTS)
+        throw new LoadError(`has more than ${MAX_OBJECTS} meshes, in all places`);
       const isInPlace = isIdentity(world);
       const placed = isInPlace ? positions : transformPositions(positions, world);
       this.bounds.add(placed);
@@ -84,27 +90,31 @@ export class MeshPlacer {
       });
     }
   }
+}
 
-  #count(triangles: number, vertices: number): void {
-    this.#triangleCount += triangles;
-    this.#vertexCount += vertices;
-    if (this.#triangleCount > MAX_TRIANGLES) throw new LoadError(`has more than ${MAX_TRIANGLES} triangles`);
-    if (this.#vertexCount > MAX_VERTICES) throw new LoadError(`has more than ${MAX_VERTICES} vertices`);
-    if (this.objects.length === MAX_OBJECTS)
-      throw new LoadError(`has more than ${MAX_OBJECTS} meshes, each place counted`);
+/** Counts up to what is allowed. */
+class Tally {
+  #triangles = 0;
+  #vertices = 0;
+
+  add(triangles: number, vertices: number): void {
+    this.#triangles += triangles;
+    this.#vertices += vertices;
+    if (this.#triangles > MAX_TRIANGLES) throw new LoadError(`has more than ${MAX_TRIANGLES} triangles`);
+    if (this.#vertices > MAX_VERTICES) throw new LoadError(`has more than ${MAX_VERTICES} vertices`);
   }
 }
 
 function* instanceMatrices(
   attributes: Readonly<Record<string, number>>,
-  accessors: readonly Accessor[],
+  data: VertexData,
   world: Float64Array,
   path: string,
 ): Generator<Float64Array> {
-  const counts = new Set(Object.values(attributes).map((index) => accessors[index]!.getCount()));
+  const counts = new Set(Object.values(attributes).map((index) => data.at(index).getCount()));
   if (counts.size > 1) throw new LoadError(`${path}: EXT_mesh_gpu_instancing has attributes of different lengths`);
   const read = (semantic: string, i: number, initial: number[]) =>
-    attributes[semantic] === undefined ? initial : accessors[attributes[semantic]]!.getElement(i, [...initial]);
+    attributes[semantic] === undefined ? initial : data.at(attributes[semantic]).getElement(i, [...initial]);
   const [count = 0] = counts;
   for (let i = 0; i < count; i++) {
     const scale = read("SCALE", i, [1, 1, 1]);

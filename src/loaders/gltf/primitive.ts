@@ -21,27 +21,58 @@ export function hasTriangles({ mode }: GltfPrimitive): boolean {
   return mode === TRIANGLES || mode === STRIP || mode === FAN;
 }
 
+/** Vertex data as floats, each accessor read and checked once: primitives often share them. */
+export class VertexData {
+  readonly #accessors: readonly Accessor[];
+  readonly #floats = new Map<Accessor, Float32Array>();
+
+  /** @param accessors - unpacked, by their index in the file. */
+  constructor(accessors: readonly Accessor[]) {
+    this.#accessors = accessors;
+  }
+
+  at(index: number): Accessor {
+    return this.#accessors[index]!;
+  }
+
+  /**
+   * The values as they are meant: integers that stand for fractions are those fractions.
+   *
+   * @throws {LoadError} if the data is not of this form, which Draco's may not be though the JSON says so, or not finite.
+   */
+  floats(index: number, size: number, vertexCount: number, path: string): Float32Array {
+    const accessor = this.at(index);
+    const array = accessor.getArray();
+    if (accessor.getElementSize() !== size || array === null || array.length !== vertexCount * size) {
+      throw new LoadError(`${path}: expected ${size} numbers for each of ${vertexCount} vertices`);
+    }
+    const known = this.#floats.get(accessor);
+    if (known !== undefined) return known;
+    const floats = array instanceof Float32Array ? array : toFloats(array, accessor.getNormalized());
+    for (let i = 0; i < floats.length; i++) {
+      if (Math.abs(floats[i]!) <= MAX_VERTEX_VALUE) continue;
+      throw new LoadError(`${path}: number ${i} is ${floats[i]}; expected a magnitude of at most ${MAX_VERTEX_VALUE}`);
+    }
+    this.#floats.set(accessor, floats);
+    return floats;
+  }
+}
+
 /**
  * Only vertices from the lowest to the highest index are kept: primitives often share one large array.
  *
- * @param accessors - unpacked, by their index in the file.
  * @param path - of the primitive, for errors.
  * @returns `undefined` if there is not a single triangle.
  * @throws {LoadError} if an index is out of range or a position is not finite.
  */
-export function readTriangles(
-  primitive: GltfPrimitive,
-  accessors: readonly Accessor[],
-  path: string,
-): Triangles | undefined {
+export function readTriangles(primitive: GltfPrimitive, data: VertexData, path: string): Triangles | undefined {
   const { attributes } = primitive;
   if (attributes.POSITION === undefined) return undefined;
-  // Draco's data can differ from what the JSON says of it.
-  const vertexCount = accessors[attributes.POSITION]!.getCount();
+  const vertexCount = data.at(attributes.POSITION).getCount();
   const read = (semantic: string, size: number) =>
-    floatsOf(accessors[attributes[semantic]!]!, size, vertexCount, `${path}.attributes.${semantic}`);
+    data.floats(attributes[semantic]!, size, vertexCount, `${path}.attributes.${semantic}`);
   const positions = read("POSITION", 3);
-  const indices = triangulate(indicesOf(primitive, accessors, vertexCount), primitive.mode);
+  const indices = triangulate(indicesOf(primitive, data, vertexCount), primitive.mode);
   if (indices.length === 0) return undefined;
 
   const [first, last] = rangeOf(indices);
@@ -62,20 +93,6 @@ export function readTriangles(
   };
 }
 
-/** The values as they are meant: integers that stand for fractions are those fractions. */
-function floatsOf(accessor: Accessor, size: number, vertexCount: number, path: string): Float32Array {
-  const array = accessor.getArray();
-  if (accessor.getElementSize() !== size || array === null || array.length !== vertexCount * size) {
-    throw new LoadError(`${path}: expected ${size} numbers for each of ${vertexCount} vertices`);
-  }
-  const floats = array instanceof Float32Array ? array : toFloats(array, accessor.getNormalized());
-  for (let i = 0; i < floats.length; i++) {
-    if (Math.abs(floats[i]!) <= MAX_VERTEX_VALUE) continue;
-    throw new LoadError(`${path}: number ${i} is ${floats[i]}; expected a magnitude of at most ${MAX_VERTEX_VALUE}`);
-  }
-  return floats;
-}
-
 function toFloats(array: NonNullable<ReturnType<Accessor["getArray"]>>, isNormalized: boolean): Float32Array {
   const floats = new Float32Array(array);
   if (!isNormalized) return floats;
@@ -86,8 +103,8 @@ function toFloats(array: NonNullable<ReturnType<Accessor["getArray"]>>, isNormal
 }
 
 /** A copy of the indices; without any, the vertices in their order. */
-function indicesOf({ indices }: GltfPrimitive, accessors: readonly Accessor[], vertexCount: number): Uint32Array {
-  if (indices !== undefined) return new Uint32Array(accessors[indices]!.getArray() ?? []);
+function indicesOf({ indices }: GltfPrimitive, data: VertexData, vertexCount: number): Uint32Array {
+  if (indices !== undefined) return new Uint32Array(data.at(indices).getArray() ?? []);
   const all = new Uint32Array(vertexCount);
   for (let i = 0; i < vertexCount; i++) all[i] = i;
   return all;

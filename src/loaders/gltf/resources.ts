@@ -29,12 +29,13 @@ export class Resources {
     throw new LoadError(`${path}: should have ${byteLength} bytes and has ${bytes.length}`);
   }
 
+  /** The bytes of a picture file; part of a larger array, maybe. */
   async image(index: number): Promise<Uint8Array> {
     const { uri, bufferView } = this.#json.images[index]!;
     if (bufferView === undefined) return this.#file(uri!, `images[${index}]`);
     const view = this.#json.bufferViews[bufferView]!;
     const bytes = await this.buffer(view.buffer);
-    return bytes.slice(view.byteOffset, view.byteOffset + view.byteLength);
+    return bytes.subarray(view.byteOffset, view.byteOffset + view.byteLength);
   }
 
   #file(uri: string, path: string): Promise<Uint8Array> {

@@ -4,7 +4,7 @@ import { ImageUtils } from "@gltf-transform/core";
 import { LoadError } from "../../errors";
 import type { Texture } from "../../scene/schema";
 import { decodeInPage } from "../decodeInPage";
-import { MAX_TEXELS } from "../limits";
+import { MAX_TEXELS, MAX_UNPACKED_BYTES } from "../limits";
 import type { DecodedImage, DecodeImage } from "../loadedScene";
 import type { Resources } from "./resources";
 import type { GltfJson } from "./schema";
@@ -47,6 +47,10 @@ export class Textures {
     const texelCount = files.reduce((sum, { size: [width, height] }) => sum + width * height, 0);
     if (texelCount > MAX_TEXELS) {
       throw new LoadError(`has pictures of ${texelCount} texels; at most ${MAX_TEXELS} are read`);
+    }
+    const byteCount = files.reduce((sum, { bytes }) => sum + bytes.length, 0);
+    if (byteCount > MAX_UNPACKED_BYTES) {
+      throw new LoadError(`has pictures of ${byteCount} bytes; at most ${MAX_UNPACKED_BYTES} are read`);
     }
     const decoded = new Map<number, DecodedImage>();
     await Promise.all(files.map(async (file) => void decoded.set(file.index, await decode(file, decodeImage))));

@@ -177,6 +177,18 @@ describe("a small file that would become a large scene", () => {
     expect(await complaintAbout(file)).toContain("x.glb has meshes that would unpack to 1800000000 bytes");
   });
 
+  test("by primitives that share one large array, all of it or its two ends", async () => {
+    const shared = (indices: boolean) =>
+      triangleFile((json, packer) => {
+        const POSITION = packer.add(new Float32Array(3 * 50_000), "VEC3");
+        const ends = packer.add(Uint16Array.of(0, 1, 49_999), "SCALAR");
+        const primitive = { attributes: { POSITION }, ...(indices && { indices: ends }) };
+        json.meshes[0].primitives = Array.from({ length: 20_000 }, () => primitive);
+      });
+    expect(await complaintAbout(shared(false))).toContain("x.glb has more than 8388608 triangles");
+    expect(await complaintAbout(shared(true))).toContain("x.glb has more than 16777216 vertices");
+  });
+
   test("by a chain of a hundred thousand nodes, which is only deep", async () => {
     const file = triangleFile((json) => {
       json.nodes = Array.from({ length: 100_000 }, (_, i) => (i < 99_999 ? { children: [i + 1] } : { mesh: 0 }));
