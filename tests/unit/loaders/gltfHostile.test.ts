@@ -178,15 +178,16 @@ describe("a small file that would become a large scene", () => {
   });
 
   test("by primitives that share one large array, all of it or its two ends", async () => {
-    const shared = (indices: boolean) =>
+    const shared = (isIndexed: boolean) =>
       triangleFile((json, packer) => {
         const POSITION = packer.add(new Float32Array(3 * 50_000), "VEC3");
         const ends = packer.add(Uint16Array.of(0, 1, 49_999), "SCALAR");
-        const primitive = { attributes: { POSITION }, ...(indices && { indices: ends }) };
+        const primitive = { attributes: { POSITION }, ...(isIndexed && { indices: ends }) };
         json.meshes[0].primitives = Array.from({ length: 20_000 }, () => primitive);
       });
-    expect(await complaintAbout(shared(false))).toContain("x.glb has more than 8388608 triangles");
-    expect(await complaintAbout(shared(true))).toContain("x.glb has more than 16777216 vertices");
+    for (const isIndexed of [false, true]) {
+      expect(await complaintAbout(shared(isIndexed))).toContain("x.glb has more than 16777216 vertices");
+    }
   });
 
   test("by a chain of a hundred thousand nodes, which is only deep", async () => {
