@@ -2,7 +2,7 @@ import * as v from "valibot";
 import { SceneError, type SceneIssue } from "../errors";
 import { HOPELESS, isObject, MAX_FAULTY_ENTRIES } from "./containers";
 import { show } from "./describe";
-import { CameraSchema, type ResolvedCamera, type ResolvedScene, SceneSchema } from "./schema";
+import { CameraSchema, type ResolvedCamera, type ResolvedScene, SceneSchema, TEXTURE_FIELDS } from "./schema";
 
 // More names than this make a list that nobody reads.
 const MAX_LISTED_NAMES = 8;
@@ -72,9 +72,6 @@ function findUnknownNames(scene: unknown): SceneIssue[] {
   }
   return issues;
 }
-
-/** The fields of a material that name a texture. */
-const TEXTURE_FIELDS = ["baseColorTexture", "metallicRoughnessTexture", "emissionTexture", "normalTexture"] as const;
 
 function hasTexture(material: unknown): boolean {
   return TEXTURE_FIELDS.some((field) => property(material, field) !== undefined);
