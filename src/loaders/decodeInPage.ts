@@ -15,11 +15,7 @@ export async function decodeInPage(bytes: Uint8Array, mimeType: string): Promise
     );
   }
   const blob = new Blob([bytes as Uint8Array<ArrayBuffer>], { type: mimeType });
-  const bitmap = await createImageBitmap(blob, {
-    colorSpaceConversion: "none",
-    premultiplyAlpha: "none",
-    imageOrientation: "none",
-  });
+  const bitmap = await createImageBitmap(blob, { colorSpaceConversion: "none", premultiplyAlpha: "none" });
   try {
     const { width, height } = bitmap;
     return { width, height, texels: readTexels(bitmap) };

@@ -25,7 +25,8 @@ export class Textures {
   /** The name in the scene of one of the file's textures; `undefined` if it has no picture in a format that is read. */
   use(index: number): string | undefined {
     const { source, sampler, extensions } = this.#json.textures[index]!;
-    const image = extensions?.EXT_texture_avif?.source ?? extensions?.EXT_texture_webp?.source ?? source;
+    // Where there is a choice, PNG and JPEG are what every decoder can do.
+    const image = source ?? extensions?.EXT_texture_webp?.source ?? extensions?.EXT_texture_avif?.source;
     if (image === undefined) return undefined;
     const { wrapS = 10497, wrapT = 10497, magFilter } = this.#json.samplers[sampler ?? -1] ?? {};
     const filter = magFilter === NEAREST ? "nearest" : "linear";
@@ -69,8 +70,7 @@ type ImageFile = {
 
 /** Reads the header: what a file claims to be is not trusted, and how large it gets has to be known before it is decoded. */
 async function fileOf(bytes: Uint8Array, index: number): Promise<ImageFile> {
-  const isKnown = ImageUtils.getMimeType(bytes) !== null;
-  if (!isKnown) {
+  if (ImageUtils.getMimeType(bytes) === null) {
     // These teach glTF-Transform two more formats.
     const { EXTTextureAVIF, EXTTextureWebP } = await import("@gltf-transform/extensions");
     EXTTextureAVIF.register();
