@@ -2,6 +2,9 @@ import { RtViewerError } from "../errors";
 import { fetchBytes } from "../loaders/fetchBytes";
 import type { LoadedScene } from "../loaders/loadedScene";
 
+/** Of an address in a message: a `data:` URL can be a whole model. */
+const MAX_NAME_LENGTH = 200;
+
 /**
  * Reads a scene file of any kind that `loadScene` knows. What is in a JSON scene is not validated here: the tracer does
  * that, and lists every issue.
@@ -14,5 +17,6 @@ export async function fetchScene(src: string, base: string, signal: AbortSignal)
   const url = new URL(src, base).href;
   // The code that tells files apart arrives while the file does.
   const [bytes, { loadScene }] = await Promise.all([fetchBytes(url, signal), import("../loaders/loadScene")]);
-  return loadScene(bytes, { name: url, baseUrl: url, signal });
+  const name = url.length > MAX_NAME_LENGTH ? `${url.slice(0, MAX_NAME_LENGTH)}…` : url;
+  return loadScene(bytes, { name, baseUrl: url, signal });
 }
