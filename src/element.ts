@@ -7,6 +7,7 @@ export type {
   ConvergedDetail,
   DeviceLostDetail,
   ErrorDetail,
+  LoadWarningsDetail,
   PickDetail,
   ProgressDetail,
   ReadyDetail,

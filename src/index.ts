@@ -1,4 +1,4 @@
-export { RtViewerError, SceneError, type SceneIssue, UnsupportedError, WebGpuError } from "./errors";
+export { LoadError, RtViewerError, SceneError, type SceneIssue, UnsupportedError, WebGpuError } from "./errors";
 export type { ToneMap } from "./gpu/blitPass";
 export type { View } from "./renderer/display";
 export { PathTracer, type PathTracerOptions, type SceneOptions } from "./renderer/pathTracer";

@@ -31,6 +31,7 @@ export type LoadingMode = (typeof LOADING_MODES)[number];
 export const OBSERVED_ATTRIBUTES: readonly string[] = [
   "src",
   "controls",
+  "drop",
   "stats",
   "paused",
   "alt",

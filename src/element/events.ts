@@ -49,6 +49,12 @@ export type PickDetail =
   | { readonly kind: "light"; readonly index: number; readonly light: Light }
   | { readonly kind: "none" };
 
+/** `loadwarnings`: a file was read, and has something that is not shown, or not as it should be. */
+export type LoadWarningsDetail = {
+  /** One sentence each. */
+  readonly warnings: readonly string[];
+};
+
 /** The events of `<rt-viewer>`. None of them bubbles. */
 export interface RtViewerEventMap {
   loadprogress: CustomEvent<LoadProgressDetail>;
@@ -58,6 +64,7 @@ export interface RtViewerEventMap {
   devicelost: CustomEvent<DeviceLostDetail>;
   error: CustomEvent<ErrorDetail>;
   pick: CustomEvent<PickDetail>;
+  loadwarnings: CustomEvent<LoadWarningsDetail>;
 }
 
 /** Every event an `<rt-viewer>` can receive: its own, and those of any HTML element. */

@@ -66,6 +66,9 @@ export class RtViewerElement extends ReflectedElement {
   /** Ends the listeners and observers of the time the element is in a document. */
   #connection: AbortController | undefined;
   #controls: AbortController | undefined;
+  #drop: AbortController | undefined;
+  /** The files that are being read. */
+  #opening: AbortController | undefined;
   #disposal: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
@@ -113,6 +116,7 @@ export class RtViewerElement extends ReflectedElement {
     return this.#scene ?? this.#edited;
   }
   set scene(scene: Scene | undefined) {
+    this.#opening?.abort();
     this.#scene = scene;
     this.#load();
   }
@@ -149,6 +153,23 @@ export class RtViewerElement extends ReflectedElement {
   set stats(isShown: boolean | "" | "folded") {
     if (typeof isShown === "string") this.setAttribute("stats", isShown);
     else this.showStats = isShown;
+  }
+
+  /**
+   * Shows a file, as if its scene had been set: one that was picked or dropped.
+   *
+   * @param files - a scene, JSON or glTF, and the files it refers to, if any.
+   * @throws {LoadError} if it cannot be read; what is shown then stays. An `AbortError` if another scene was set meanwhile.
+   */
+  async open(...files: readonly Blob[]): Promise<void> {
+    this.#opening?.abort();
+    const opening = new AbortController();
+    this.#opening = opening;
+    const { readFiles } = await import("../loaders/readFiles");
+    const { scene, warnings } = await readFiles(files, opening.signal);
+    opening.signal.throwIfAborted();
+    this.scene = scene;
+    this.#warn(warnings);
   }
 
   /** Throws away what has been sampled and starts over. */
@@ -199,6 +220,7 @@ export class RtViewerElement extends ReflectedElement {
     if (!this.#wasNear) watchNearness(this, () => this.#onNear(), signal);
     this.#bindControls();
     this.#bindPicking(signal);
+    this.#bindDrop();
     this.#label();
     if (this.#source() !== this.#requested) this.#load();
     else this.#updateLoop();
@@ -208,14 +230,17 @@ export class RtViewerElement extends ReflectedElement {
     this.#connection?.abort();
     this.#connection = undefined;
     this.#controls?.abort();
+    this.#drop?.abort();
     this.#updateLoop();
     this.#disposal = setTimeout(() => this.#dispose(), DISPOSAL_GRACE_MS);
   }
 
   attributeChangedCallback(name: string): void {
+    if (name === "src") this.#opening?.abort();
     if (name === "src" && this.#scene === undefined) this.#load();
     else if (name === "loading" && this.#requested === undefined) this.#load();
     else if (name === "controls") this.#bindControls();
+    else if (name === "drop") this.#bindDrop();
     else if (name === "stats") this.#showPanel();
     else if (name === "alt") this.#label();
     else if (name === "paused") this.#stage.isPaused = this.paused;
@@ -252,13 +277,23 @@ export class RtViewerElement extends ReflectedElement {
     void this.#stage.show(async (signal, report) => {
       if (typeof source !== "string") return source;
       report("fetching");
-      return fetchScene(source, baseURI, signal);
+      return this.#fetch(source, baseURI, signal);
     });
   }
 
   #onNear(): void {
     this.#wasNear = true;
     if (this.#requested === undefined) this.#load();
+  }
+
+  async #fetch(src: string, base: string, signal: AbortSignal): Promise<Scene> {
+    const { scene, warnings } = await fetchScene(src, base, signal);
+    if (!signal.aborted) this.#warn(warnings);
+    return scene;
+  }
+
+  #warn(warnings: readonly string[]): void {
+    if (warnings.length > 0) this.#emit("loadwarnings", { warnings });
   }
 
   #onScene(): void {
@@ -345,6 +380,21 @@ export class RtViewerElement extends ReflectedElement {
       onError: (error: Error) => this.#emit("error", { error }),
     };
     bindPicking(this, this.#canvas, target, signal);
+  }
+
+  #bindDrop(): void {
+    this.#drop?.abort();
+    this.#drop = undefined;
+    if (!this.drop || this.#connection === undefined) return;
+    this.#drop = new AbortController();
+    this.#loadDrop(this.#drop.signal).catch((error: Error) => this.#emit("error", { error }));
+  }
+
+  async #loadDrop(signal: AbortSignal): Promise<void> {
+    const { bindFileDrop } = await import("./fileDrop");
+    if (signal.aborted) return;
+    const onFiles = (files: readonly File[]) => this.open(...files);
+    bindFileDrop(this, this.shadowRoot!, { onFiles }, signal);
   }
 
   #showPanel(): void {

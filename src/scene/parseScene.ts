@@ -95,7 +95,7 @@ function property(container: unknown, key: string): unknown {
 }
 
 /** `objects[3].radius`, `materials["old gold"].ior`: the way to a value as JavaScript spells it. */
-function formatPath(path: readonly { readonly key: unknown }[]): string {
+export function formatPath(path: readonly { readonly key: unknown }[]): string {
   return path.reduce((text, { key }) => {
     if (typeof key === "number") return `${text}[${key}]`;
     if (!/^[\p{ID_Start}$_][\p{ID_Continue}$]*$/u.test(String(key))) return `${text}[${show(key)}]`;
