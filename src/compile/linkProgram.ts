@@ -1,10 +1,20 @@
 import { link } from "wesl/core";
 import type { Features } from "./features";
 
-/** The shader modules of `src/wgsl`, by file name, as text. */
-const MODULES: Readonly<Record<string, string>> = Object.fromEntries(
-  Object.entries(import.meta.glob<string>("../wgsl/*.wgsl", { query: "?raw", import: "default", eager: true })).map(
-    ([path, text]) => [path.replace("../wgsl/", "./"), text],
+type Modules = Readonly<Record<string, string>>;
+
+/** The shader modules of `src/wgsl` that every page needs, by file name, as text. */
+const MODULES = named(
+  import.meta.glob<string>(
+    [
+      "../wgsl/*.wgsl",
+      "!../wgsl/tree.wgsl",
+      "!../wgsl/mesh.wgsl",
+      "!../wgsl/textures.wgsl",
+      "!../wgsl/uniform.wgsl",
+      "!../wgsl/pick.wgsl",
+    ],
+    { query: "?raw", import: "default", eager: true },
   ),
 );
 
@@ -20,12 +30,32 @@ export async function linkProgram(
   features: Features,
   rootModuleName: "trace" | "pick" = "trace",
 ): Promise<string> {
-  const estimator = MODULES[features.UNIFORM ? "./uniform.wgsl" : "./path.wgsl"]!;
+  const estimator = features.UNIFORM ? await uniformEstimator() : MODULES["./path.wgsl"]!;
+  const root = rootModuleName === "pick" ? { "./pick.wgsl": await pickModule() } : {};
+  const tree = features.TREE ? await treeModules() : {};
   const { dest } = await link({
-    weslSrc: { ...MODULES, "./scene.wgsl": sceneModule, "./estimator.wgsl": estimator },
+    weslSrc: { ...MODULES, ...tree, ...root, "./scene.wgsl": sceneModule, "./estimator.wgsl": estimator },
     rootModuleName,
     conditions: features,
     sourceMap: false,
   });
   return dest;
+}
+
+// What few scenes need is loaded when one does.
+
+async function treeModules(): Promise<Modules> {
+  return named((await import("./treeModules")).TREE_MODULES);
+}
+
+async function uniformEstimator(): Promise<string> {
+  return (await import("../wgsl/uniform.wgsl?raw")).default;
+}
+
+async function pickModule(): Promise<string> {
+  return (await import("../wgsl/pick.wgsl?raw")).default;
+}
+
+function named(modules: Modules): Modules {
+  return Object.fromEntries(Object.entries(modules).map(([path, text]) => [path.replace("../wgsl/", "./"), text]));
 }

@@ -1,4 +1,4 @@
-import type { Features } from "../compile/features";
+import type { CompiledScene } from "../compile/compileScene";
 import { FRAME } from "../compile/layouts";
 import { BufferUsage, MapMode, ShaderStage } from "./flags";
 import { createComputePipeline } from "./pipelines";
@@ -23,8 +23,12 @@ export type PickPipeline = {
  *
  * @throws {WebGpuError} with the compiler's messages.
  */
-export async function createPickPipeline(device: GPUDevice, wgsl: string, features: Features): Promise<PickPipeline> {
-  const types = ["uniform", "uniform", "storage"] as const;
+export async function createPickPipeline(
+  device: GPUDevice,
+  wgsl: string,
+  { features, isStored }: Pick<CompiledScene, "features" | "isStored">,
+): Promise<PickPipeline> {
+  const types = ["uniform", isStored ? "read-only-storage" : "uniform", "storage"] as const;
   const own = types.map((type, binding) => ({ binding, visibility: ShaderStage.COMPUTE, buffer: { type } }));
   const geometry = geometryLayout(features);
   const group = device.createBindGroupLayout({ label: "pick", entries: [...own, ...geometry] });
@@ -45,7 +49,7 @@ export async function runPick(
   const frameBytes = new DataView(new ArrayBuffer(FRAME.bytes));
   FRAME.write(frameBytes, 0, frame);
   const frameBuffer = create("pick frame", FRAME.bytes, UNIFORM | COPY_DST);
-  const sceneBuffer = create("pick scene", scene.byteLength, UNIFORM | COPY_DST);
+  const sceneBuffer = create("pick scene", scene.byteLength, UNIFORM | STORAGE | COPY_DST);
   const found = create("pick found", FOUND_BYTES, STORAGE | COPY_SRC);
   const staging = create("pick readback", FOUND_BYTES, COPY_DST | MAP_READ);
   device.queue.writeBuffer(frameBuffer, 0, frameBytes.buffer);

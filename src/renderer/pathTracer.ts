@@ -16,7 +16,7 @@ import { cameraBasis, lampPixels, rayStart } from "./camera";
 import { Display, readPicture, type View } from "./display";
 import { InFlight } from "./inFlight";
 import { Meter } from "./meter";
-import { type Picked, Picker, type Sight } from "./picker";
+import type { Picked, Picker, Sight } from "./picker";
 import { createProgram, type Program, programKey } from "./program";
 import { Progress } from "./progress";
 import { DEFAULT_SETTINGS, type Settings } from "./settings";
@@ -67,7 +67,7 @@ export class PathTracer {
   readonly #errorPipeline: GPUComputePipeline;
   readonly #inFlight: InFlight;
   readonly #meter: Meter;
-  readonly #picker: Picker;
+  #picker: Picker | undefined;
 
   #scene: ResolvedScene;
   #camera: ResolvedCamera;
@@ -155,7 +155,6 @@ export class PathTracer {
     this.#shared = this.#sharedUniforms();
     device.addEventListener("uncapturederror", this.#onDeviceError);
     this.#baked = new Baked(device);
-    this.#picker = new Picker(device);
     this.#meter = new Meter(adapterName(device));
     this.#meter.useProgram(program);
   }
@@ -299,7 +298,10 @@ export class PathTracer {
    * @returns `undefined` where there is nothing, outside of the picture, and after `dispose()`.
    * @throws {WebGpuError} if the device fails.
    */
-  pick(x: number, y: number): Promise<Picked | undefined> {
+  async pick(x: number, y: number): Promise<Picked | undefined> {
+    const { Picker } = await import("./picker");
+    if (this.#disposed) return undefined;
+    this.#picker ??= new Picker(this.device);
     return this.#picker.pick(this.#sight, x, y);
   }
 
@@ -349,7 +351,7 @@ export class PathTracer {
     this.#geometry.dispose();
     this.#baked.drop();
     this.#errorPass.dispose();
-    this.#picker.dispose();
+    this.#picker?.dispose();
     this.#inFlight.dispose();
     this.#film.dispose();
     if (this.#display instanceof Display) this.#display.dispose();

@@ -87,7 +87,7 @@ export class Picker {
     if (this.#pipeline === undefined || key !== this.#key) {
       this.#key = key;
       this.#pipeline = linkProgram(compiled.sceneModule, compiled.features, "pick").then((wgsl) =>
-        createPickPipeline(this.#device, wgsl, compiled.features),
+        createPickPipeline(this.#device, wgsl, compiled),
       );
     }
     return this.#pipeline;
