@@ -1,5 +1,6 @@
+import type { ScenePart } from "../compile/primitives";
 import type { PathTracer } from "../renderer/pathTracer";
-import type { Light, SceneObject } from "../scene/schema";
+import type { Light, ResolvedScene, SceneObject } from "../scene/schema";
 import type { LoadProgressDetail } from "./loadProgress";
 
 /**
@@ -54,6 +55,13 @@ export type LoadWarningsDetail = {
   /** One sentence each. */
   readonly warnings: readonly string[];
 };
+
+/** What the event `pick` tells of a part of the scene, or of none. */
+export function pickDetail({ objects, lights }: ResolvedScene, part: ScenePart | undefined): PickDetail {
+  if (part === undefined) return { kind: "none" };
+  const { kind, index } = part;
+  return kind === "object" ? { kind, index, object: objects[index]! } : { kind, index, light: lights[index]! };
+}
 
 /** The events of `<rt-viewer>`. None of them bubbles. */
 export interface RtViewerEventMap {

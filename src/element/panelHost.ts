@@ -8,19 +8,17 @@ export type PanelSource = Pick<PanelOptions, "stats" | "knobs" | "onChange" | "o
 /** Below this the panel would hide the picture, so it starts folded. CSS pixels. */
 const ROOMY = { width: 400, height: 260 };
 
-/** The corner of the element where the panel sits. The panel's code is loaded when it is shown for the first time. */
+/** What goes on in the corner of the element where the panel sits. */
 export class PanelHost {
-  readonly element: HTMLElement;
+  readonly #corner: HTMLElement;
   #panel: Panel | undefined;
   #source: PanelSource | undefined;
   #selected: ScenePart | undefined;
   /** Counts calls of `show` and `hide`: what was asked for last, holds. */
   #turn = 0;
 
-  constructor(document: Document) {
-    this.element = document.createElement("div");
-    this.element.className = "panel";
-    this.element.setAttribute("part", "panel");
+  constructor(corner: HTMLElement) {
+    this.#corner = corner;
   }
 
   /** Shows a panel for this source, in place of one for other stats. Fails if the panel's code cannot be loaded. */
@@ -40,14 +38,14 @@ export class PanelHost {
   }
 
   #create(createPanel: (options: PanelOptions) => Panel, source: PanelSource, isFolded: boolean): void {
-    const room = this.element.parentNode instanceof ShadowRoot ? this.element.parentNode.host : this.element;
+    const room = this.#corner.parentNode instanceof ShadowRoot ? this.#corner.parentNode.host : this.#corner;
     const isExpanded = !isFolded && room.clientWidth >= ROOMY.width && room.clientHeight >= ROOMY.height;
     const onSelect = (part: ScenePart | undefined) => {
       this.#selected = part;
       source.editor.onSelect(part);
     };
     const editor = { ...source.editor, onSelect };
-    this.#panel = createPanel({ container: this.element, isExpanded, ...source, editor });
+    this.#panel = createPanel({ container: this.#corner, isExpanded, ...source, editor });
     this.#panel.select(this.#selected);
   }
 

@@ -1,9 +1,6 @@
-import type { ScenePart } from "../compile/primitives";
 import type { PathTracer } from "../renderer/pathTracer";
 import type { Picked } from "../renderer/picker";
-import type { ResolvedScene } from "../scene/schema";
 import { watchClicks } from "./clicks";
-import type { PickDetail } from "./events";
 
 /** Who wants to know what is picked. */
 export type PickingTarget = {
@@ -30,11 +27,4 @@ export function bindPicking(host: HTMLElement, canvas: HTMLElement, target: Pick
   };
   watchClicks(canvas, ({ x, y }) => void pick(x, y).catch(target.onError), signal);
   host.addEventListener("keydown", ({ key }) => void (key === "Escape" && target.onPick(undefined)), { signal });
-}
-
-/** What the event `pick` tells of a part of the scene, or of none. */
-export function pickDetail({ objects, lights }: ResolvedScene, part: ScenePart | undefined): PickDetail {
-  if (part === undefined) return { kind: "none" };
-  const { kind, index } = part;
-  return kind === "object" ? { kind, index, object: objects[index]! } : { kind, index, light: lights[index]! };
 }

@@ -10,12 +10,12 @@ import { createKeyHelp, labelCanvas } from "./canvasLabel";
 import { canvasSize } from "./canvasSize";
 import { Curtain } from "./curtain";
 import { describeError, missingWebGpu } from "./describeError";
-import type { RtViewerEventMap } from "./events";
+import { pickDetail, type RtViewerEventMap } from "./events";
 import { fetchScene } from "./fetchScene";
 import { LiveRegion } from "./liveRegion";
 import { MessageBox } from "./messageBox";
-import { PanelHost, type PanelSource } from "./panelHost";
-import { bindPicking, pickDetail } from "./picking";
+import type { PanelHost, PanelSource } from "./panelHost";
+import type { PickingTarget } from "./picking";
 import { ReflectedElement } from "./reflectedElement";
 import { RenderLoop } from "./renderLoop";
 import { Stage } from "./stage";
@@ -52,7 +52,11 @@ export class RtViewerElement extends ReflectedElement {
   readonly #curtain: Curtain;
   readonly #liveRegion: LiveRegion;
   readonly #message: MessageBox;
-  readonly #panel: PanelHost;
+  readonly #corner: HTMLElement;
+  /** Of the corner; its code is loaded when the panel is asked for. */
+  #panel: PanelHost | undefined;
+  /** The connection whose clicks pick. */
+  #picking: AbortSignal | undefined;
   readonly #stage: Stage;
   readonly #loop = new RenderLoop(() => this.#tick());
   #scene: Scene | undefined;
@@ -80,9 +84,13 @@ export class RtViewerElement extends ReflectedElement {
     this.#curtain = new Curtain(this.ownerDocument);
     this.#liveRegion = new LiveRegion(this.ownerDocument);
     this.#message = new MessageBox(this.ownerDocument);
-    this.#panel = new PanelHost(this.ownerDocument);
-    const parts = [this.#curtain, this.#panel, this.#message, this.#liveRegion].map(({ element }) => element);
-    root.append(this.#canvas, ...parts, createKeyHelp(this.ownerDocument));
+    this.#corner = this.ownerDocument.createElement("div");
+    this.#corner.className = "panel";
+    this.#corner.setAttribute("part", "panel");
+    const [curtain, message, liveRegion] = [this.#curtain, this.#message, this.#liveRegion].map(
+      ({ element }) => element,
+    );
+    root.append(this.#canvas, curtain!, this.#corner, message!, liveRegion!, createKeyHelp(this.ownerDocument));
     this.#stage = new Stage(this.#canvas, {
       onLoadProgress: (detail) => {
         this.#curtain.showProgress(detail);
@@ -219,7 +227,6 @@ export class RtViewerElement extends ReflectedElement {
     watchReducedMotion((isReduced) => (this.#stage.isCalm = isReduced), signal);
     if (!this.#wasNear) watchNearness(this, () => this.#onNear(), signal);
     this.#bindControls();
-    this.#bindPicking(signal);
     this.#bindDrop();
     this.#label();
     if (this.#source() !== this.#requested) this.#load();
@@ -249,7 +256,7 @@ export class RtViewerElement extends ReflectedElement {
     else if (settingOfAttribute(name) !== undefined) this.settingsChanged();
     if (name === "controls") this.#label();
     if (name === "poster" || name === "loading") this.#curtain.setPoster(this.poster, this.loading);
-    if (this.tracer !== undefined) this.#panel.setKnobs(this.#knobs(this.tracer));
+    if (this.tracer !== undefined) this.#panel?.setKnobs(this.#knobs(this.tracer));
   }
 
   protected override settingsChanged(): void {
@@ -304,7 +311,7 @@ export class RtViewerElement extends ReflectedElement {
 
   #tick(): void {
     this.#stage.tick();
-    this.#panel.refresh();
+    this.#panel?.refresh();
     this.#updateLoop();
   }
 
@@ -331,7 +338,7 @@ export class RtViewerElement extends ReflectedElement {
 
   #dispose(): void {
     this.#requested = undefined;
-    this.#panel.hide();
+    this.#panel?.hide();
     this.#clearMessage();
     this.#curtain.close();
     this.#liveRegion.clear();
@@ -368,20 +375,6 @@ export class RtViewerElement extends ReflectedElement {
     bindOrbitControls(this.#canvas, target, signal);
   }
 
-  /** Only with the panel, which shows what is picked. */
-  #bindPicking(signal: AbortSignal): void {
-    const target = {
-      tracer: () => (this.showStats ? this.tracer : undefined),
-      onPick: (part: ScenePart | undefined) => {
-        if (part === undefined && this.#panel.selected === undefined) return;
-        this.#panel.select(part);
-        this.#tellPick(part);
-      },
-      onError: (error: Error) => this.#emit("error", { error }),
-    };
-    bindPicking(this, this.#canvas, target, signal);
-  }
-
   #bindDrop(): void {
     this.#drop?.abort();
     this.#drop = undefined;
@@ -399,12 +392,34 @@ export class RtViewerElement extends ReflectedElement {
 
   #showPanel(): void {
     if (!this.showStats || this.tracer === undefined) {
-      this.#panel.hide();
+      this.#panel?.hide();
       return;
     }
-    const isFolded = this.getAttribute("stats") === "folded";
     // Without its panel the element still does its work, so this is told, not shown.
-    this.#panel.show(this.#panelSource(this.tracer), isFolded).catch((error: Error) => this.#emit("error", { error }));
+    this.#loadPanel(this.tracer).catch((error: Error) => this.#emit("error", { error }));
+  }
+
+  async #loadPanel(tracer: PathTracer): Promise<void> {
+    const [{ PanelHost }, { bindPicking }] = await Promise.all([import("./panelHost"), import("./picking")]);
+    if (tracer !== this.tracer || !this.showStats || this.#connection === undefined) return;
+    this.#panel ??= new PanelHost(this.#corner);
+    const { signal } = this.#connection;
+    if (signal !== this.#picking) bindPicking(this, this.#canvas, this.#pickingTarget(this.#panel), signal);
+    this.#picking = signal;
+    await this.#panel.show(this.#panelSource(tracer), this.getAttribute("stats") === "folded");
+  }
+
+  /** Only while the panel is there, which shows what is picked. */
+  #pickingTarget(panel: PanelHost): PickingTarget {
+    return {
+      tracer: () => (this.showStats ? this.tracer : undefined),
+      onPick: (part) => {
+        if (part === undefined && panel.selected === undefined) return;
+        panel.select(part);
+        this.#tellPick(part);
+      },
+      onError: (error) => this.#emit("error", { error }),
+    };
   }
 
   #panelSource(tracer: PathTracer): PanelSource {
