@@ -1,0 +1,62 @@
+import { writeFile } from "node:fs/promises";
+import { expect, type Page } from "@playwright/test";
+import { FEATURE_NAMES } from "../demo/features/list";
+import { EXAMPLES } from "../demo/playground/examples";
+import type { RtViewerElement } from "../src/element";
+import { visitDemo } from "./demoSite";
+
+const SIZE = { width: 640, height: 427 };
+const SAMPLES = 96; // its noise is hardly more than what the compression leaves
+const QUALITY = 0.8;
+const TIMEOUT_MS = 120_000;
+
+/**
+ * `npm run posters [-- NAME…]`: the pictures shown while a viewer loads, made by the viewers themselves on the pages they
+ * are for. A page that says when its picture is done, by `max-samples` or `target-error`, is taken at its word.
+ */
+export async function main(names: string[]): Promise<void> {
+  const places = [
+    ...EXAMPLES.map(({ name }) => ({ name, path: "", selector: `#${name} rt-viewer` })),
+    ...FEATURE_NAMES.map((name) => ({ name, path: `features/${name}.html`, selector: ".result rt-viewer" })),
+  ];
+  await visitDemo(async (browser, url) => {
+    const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+    for (const { name, path, selector } of places) {
+      if (names.length > 0 && !names.includes(name)) continue;
+      await page.goto(url + path);
+      const picture = await takePicture(page, selector);
+      await writeFile(`demo/posters/${name}.webp`, picture);
+      console.log(`${name}: ${(picture.length / 1000).toFixed(1)} kB`);
+    }
+  });
+}
+
+async function takePicture(page: Page, selector: string): Promise<Buffer> {
+  const viewer = page.locator(selector).first();
+  await viewer.evaluate(
+    (element: RtViewerElement, { width, height, samples }) => {
+      // The others would take their turns.
+      for (const other of document.querySelectorAll("rt-viewer")) if (other !== element) other.remove();
+      element.src ||= element.dataset.src ?? ""; // it may still be waiting for its turn to load
+      if (element.maxSamples === Number.POSITIVE_INFINITY) element.maxSamples = samples;
+      element.style.cssText = `position: fixed; inset: 0 auto auto 0; width: ${width}px; height: ${height}px`;
+    },
+    { ...SIZE, samples: SAMPLES },
+  );
+  const isDone = () =>
+    viewer.evaluate(
+      ({ stats, tracer }: RtViewerElement, width) => stats?.converged === true && tracer?.width === width,
+      SIZE.width,
+    );
+  await expect.poll(isDone, { timeout: TIMEOUT_MS }).toBe(true);
+  const encoded = await viewer.evaluate(async (element: RtViewerElement, quality) => {
+    const { tracer, exposure } = element;
+    const pixels = new Uint8ClampedArray(await tracer!.readPicture({ exposure }));
+    const canvas = new OffscreenCanvas(tracer!.width, tracer!.height);
+    canvas.getContext("2d")!.putImageData(new ImageData(pixels, tracer!.width, tracer!.height), 0, 0);
+    const blob = await canvas.convertToBlob({ type: "image/webp", quality });
+    const bytes = new Uint8Array(await blob.arrayBuffer());
+    return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+  }, QUALITY);
+  return Buffer.from(encoded, "base64");
+}
