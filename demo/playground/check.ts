@@ -49,6 +49,6 @@ function syntaxPosition(error: string, text: string, tree: Tree): number {
 function syntaxMessage(error: string): string {
   return error
     .replace(/^SyntaxError: (JSON\.parse: |JSON Parse error: )?/, "")
-    .replace(/, (\.\.\.)?".*" is not valid JSON$/s, "")
+    .replace(/, (\.\.\.)?".*"(\.\.\.)? is not valid JSON$/s, "")
     .replace(/( in JSON)? at (position|line) .*$/s, "");
 }

@@ -44,6 +44,7 @@ export function createEditor({ parent, schema, onCheck }: EditorOptions): Editor
       explainKeys(schema),
       look,
       lintGutter(),
+      EditorView.lineWrapping,
       syntaxHighlighting(classHighlighter),
       EditorState.tabSize.of(2),
       EditorView.contentAttributes.of({ "aria-label": "Scene, as JSON", "aria-describedby": "editor-help" }),

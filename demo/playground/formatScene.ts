@@ -1,5 +1,5 @@
 const INDENT = "  ";
-const MAX_LINE = 76;
+const MAX_LINE = 92;
 
 /** JSON as people write scenes: a vector, a material or a small object on one line, what is longer on several. */
 export function formatScene(value: unknown): string {

@@ -18,10 +18,11 @@ const editor = createEditor({ parent: element("#editor"), schema, onCheck: show 
 
 examples.append(...EXAMPLES.map(({ name, title }) => new Option(title, name)));
 examples.addEventListener("change", () => open(() => loadExample(examples.value, formatScene)));
-addEventListener("hashchange", () => open(fromAddress));
+addEventListener("hashchange", () => {
+  if (location.hash.startsWith("#scene=")) open(fromAddress); // and not for the skip link
+});
 element("#view").addEventListener("click", takeView);
 share.addEventListener("click", copyLink);
-viewer.addEventListener("error", ({ detail }) => notify(detail.error.message));
 await open(fromAddress);
 
 /** What the address holds; without anything in it, the first example. */
@@ -56,10 +57,7 @@ function show({ problems, scene }: Checked): void {
     problems.length === 0 ? "No mistakes." : `${count}. The picture shows the last scene without any.`;
   element("#problems").hidden = problems.length === 0;
   showProblems(element("#problems"), problems, (position) => editor.state.doc.lineAt(position).number, goTo);
-  if (scene !== undefined && JSON.stringify(scene) !== JSON.stringify(viewer.scene)) {
-    notify("");
-    viewer.scene = scene;
-  }
+  if (scene !== undefined && JSON.stringify(scene) !== JSON.stringify(viewer.scene)) viewer.scene = scene;
 }
 
 function goTo({ from, to }: Problem): void {
@@ -76,6 +74,7 @@ async function copyLink(): Promise<void> {
   try {
     const hash = await toHash({ text: editor.state.doc.toString(), exposure: viewer.exposure });
     history.replaceState(undefined, "", hash);
+    notify("");
     const outcome = await copyText(location.href, element("#by-hand"));
     if (outcome === "copied") sayCopied(share, "The link is on the clipboard.");
   } catch (error) {
