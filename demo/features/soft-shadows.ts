@@ -13,7 +13,8 @@ function show() {
       box({ center: [0.5, 0.6, -0.2], size: [0.28, 1.2, 0.28], rotationY: 30, material: "chalk" }),
       sphere({ center: [-0.45, 0.38, 0.3], radius: 0.38, material: "chalk" }),
     ],
-    lights: [sphereLight({ position: [3, 3.2, 1.6], radius: slider.valueAsNumber, power: [520, 490, 450] })],
+    lights: [sphereLight({ position: [3, 3.2, 1.6], radius: slider.valueAsNumber, power: [700, 660, 610] })],
+    environment: { radiance: [0.16, 0.17, 0.2] },
   });
 }
 
