@@ -107,7 +107,7 @@ function text(page: Page): Locator {
 async function replace(page: Page, part: string, by: string): Promise<void> {
   await text(page).press("Control+Home");
   await page.keyboard.press("Control+f");
-  await page.getByRole("textbox", { name: "Find" }).fill(part);
+  await page.getByRole("textbox", { name: "Find" }).pressSequentially(part);
   await page.keyboard.press("Enter");
   await page.keyboard.press("Escape");
   await expect.poll(() => page.evaluate(() => getSelection()?.toString())).toBe(part);
