@@ -16,14 +16,14 @@ type Screenshot = {
 };
 
 const SCREENSHOTS: readonly Screenshot[] = [
-  { name: "gallery", path: "", ready: (page) => samples(page, 64) },
-  { name: "feature", path: "features/soft-shadows.html", ready: (page) => samples(page, 64) },
+  { name: "gallery", path: "", ready: (page) => samples(page, 48) },
+  { name: "feature", path: "features/soft-shadows.html", ready: (page) => samples(page, 48) },
   {
     name: "playground",
     path: "playground.html",
     colorScheme: "dark",
     ready: async (page) => {
-      await samples(page, 64);
+      await samples(page, 48);
       await page.locator(".cm-content").press("Control+Home");
     },
   },

@@ -1,4 +1,5 @@
 import type { Locator, Page } from "@playwright/test";
+import type { RtViewerElement } from "../../src/element";
 import { contrast, difference, pictureOf } from "./support/picture";
 import { expect, test } from "./support/test";
 import { DEMO_URL } from "./support/urls";
@@ -90,12 +91,13 @@ test("the view that was turned to goes into the scene", async ({ page }) => {
   await expect(page.getByText("No mistakes.")).toBeVisible();
 });
 
-/** Opens the first example and rests its picture, so that it changes with the text only. */
+/** Opens the first example and rests its picture, without the panel, so that it changes with the text only. */
 async function openPlayground(page: Page): Promise<Locator> {
   await page.goto(PAGE);
   const viewer = page.locator("rt-viewer");
   await waitForSamples(viewer, 1);
   await pause(viewer);
+  await viewer.evaluate((element: RtViewerElement) => element.removeAttribute("stats"));
   return viewer;
 }
 
