@@ -47,7 +47,11 @@ export function createEditor({ parent, schema, onCheck }: EditorOptions): Editor
       EditorView.lineWrapping,
       syntaxHighlighting(classHighlighter),
       EditorState.tabSize.of(2),
-      EditorView.contentAttributes.of({ "aria-label": "Scene, as JSON", "aria-describedby": "editor-help" }),
+      EditorView.contentAttributes.of({
+        tabindex: "0",
+        "aria-label": "Scene, as JSON",
+        "aria-describedby": "editor-help",
+      }),
     ],
   });
 }

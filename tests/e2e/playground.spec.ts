@@ -72,11 +72,13 @@ test("a link that holds no scene, or a hostile one, leaves a page that works", a
 
 test("keys are suggested, and Tab leaves the editor", async ({ page }) => {
   await openPlayground(page);
-  await replace(page, '"maxBounces": 6', '"max');
+  await select(page, '"maxBounces": 6');
+  await page.keyboard.press("Delete");
+  await page.keyboard.type('"max');
   const suggestion = page.getByRole("option", { name: /"maxBounces"/ });
   await expect(suggestion).toBeVisible();
   await expect(page.getByText("How often a path may scatter").first()).toBeVisible();
-  await page.keyboard.press("Enter");
+  await suggestion.click();
   await expect(text(page)).toContainText('"maxBounces": 8');
   await expect(page.getByText("No mistakes.")).toBeVisible();
   await page.keyboard.press("Tab");
@@ -105,15 +107,19 @@ function text(page: Page): Locator {
   return page.locator(".cm-content");
 }
 
-/** Selects a part of the text with the editor's search, and types over it. */
 async function replace(page: Page, part: string, by: string): Promise<void> {
+  await select(page, part);
+  await page.keyboard.insertText(by);
+}
+
+/** Selects a part of the text with the editor's search. */
+async function select(page: Page, part: string): Promise<void> {
   await text(page).press("Control+Home");
   await page.keyboard.press("Control+f");
   await page.getByRole("textbox", { name: "Find" }).pressSequentially(part);
   await page.keyboard.press("Enter");
   await page.keyboard.press("Escape");
   await expect.poll(() => page.evaluate(() => getSelection()?.toString())).toBe(part);
-  await page.keyboard.insertText(by);
 }
 
 async function hashOf(page: Page, scene: string): Promise<string> {
