@@ -19,24 +19,27 @@ const editor = createEditor({ parent: element("#editor"), schema, onCheck: show 
 examples.append(...EXAMPLES.map(({ name, title }) => new Option(title, name)));
 examples.addEventListener("change", () => open(() => loadExample(examples.value, formatScene)));
 addEventListener("hashchange", () => {
-  if (location.hash.startsWith("#scene=")) open(fromAddress); // and not for the skip link
+  if (/^#(scene|example)=/.test(location.hash)) open(fromAddress); // and not for the skip link
 });
 element("#view").addEventListener("click", takeView);
 share.addEventListener("click", copyLink);
 await open(fromAddress);
 
-/** What the address holds; without anything in it, the first example. */
+/** What the address holds: `#scene=…`, or `#example=NAME`; without anything in it, the first example. */
 async function fromAddress(): Promise<Shared> {
+  const wanted = new URLSearchParams(location.hash.slice(1)).get("example");
+  const example = EXAMPLES.find(({ name }) => name === wanted) ?? EXAMPLES[0];
+  examples.value = example.name;
   try {
     const shared = await fromHash(location.hash);
-    examples.value = shared ? "" : EXAMPLES[0].name;
-    if (shared) return shared;
+    if (shared === undefined) return loadExample(example.name, formatScene);
+    examples.value = "";
+    return shared;
   } catch (error) {
     if (!(error instanceof LinkError)) throw error;
     notify(`${error.message} Here is an example instead.`);
-    examples.value = EXAMPLES[0].name;
+    return loadExample(example.name, formatScene);
   }
-  return loadExample(EXAMPLES[0].name, formatScene);
 }
 
 async function open(load: () => Promise<Shared>): Promise<void> {

@@ -55,6 +55,14 @@ test("a copied link brings back the text, the exposure and the picture", async (
   await expect(page.getByLabel("Start from")).toHaveValue("");
 });
 
+test("an address names an example; the gallery's pictures lead to theirs", async ({ page }) => {
+  await page.goto(DEMO_URL);
+  await page.locator("#veach").getByRole("link").click();
+  await expect(page).toHaveURL(`${PAGE}#example=veach`);
+  await expect(page.getByLabel("Start from")).toHaveValue("veach");
+  await expect(text(page)).toContainText('"p4"');
+});
+
 test("a link that holds no scene, or a hostile one, leaves a page that works", async ({ page }) => {
   for (const hash of ["#scene=%00<script>alert(1)</script>", "#scene=AAAA", `#scene=${"A".repeat(17_000)}`]) {
     await page.goto("about:blank");
