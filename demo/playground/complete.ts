@@ -22,6 +22,7 @@ export function completeScene(schema: JsonSchema): (context: CompletionContext) 
   };
 }
 
+/** What a suggestion takes the place of; a syntax node is one. */
 type Place = { readonly from: number; readonly to: number };
 
 function suggestKeys(
@@ -43,7 +44,7 @@ function suggestKeys(
       const value = following.startsWith(":") ? "" : `: ${sampleOf(field)}${following.startsWith('"') ? "," : ""}`;
       return { label, apply: label + value, type: "property", boost: -order, ...described(field) };
     });
-  return { ...place, options, filter: place.from !== place.to };
+  return resultAt(place, options);
 }
 
 function suggestValues(
@@ -61,7 +62,12 @@ function suggestValues(
     const label = JSON.stringify(value);
     return { label, type: "constant", boost: -order };
   });
-  return options.length === 0 ? null : { ...place, options, filter: place.from !== place.to };
+  return options.length === 0 ? null : resultAt(place, options);
+}
+
+/** Where there is nothing yet there is nothing to choose by. */
+function resultAt({ from, to }: Place, options: readonly Completion[]): CompletionResult {
+  return { from, to, options, filter: from !== to };
 }
 
 /** What a scene's own names are for: `material` names one of `materials`, `baseColorTexture` one of `textures`. */

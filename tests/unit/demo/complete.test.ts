@@ -36,6 +36,16 @@ describe("completeScene", () => {
     );
   });
 
+  test("takes the place of the whole key or word, with its quotes", () => {
+    const place = (marked: string) => {
+      const { from, to = Number.NaN } = suggestions(marked)!;
+      return marked.replace("|", "").slice(from, to);
+    };
+    expect(place(`{ "camera": { "position": [0, 0, 5] },${" ".repeat(2000)}"max|B" }`)).toBe('"maxB"');
+    expect(place('{ "materials": { "a": { "masking": "sm|i" } } }')).toBe('"smi"');
+    expect(place('{ "camera": {}, | }')).toBe("");
+  });
+
   test("knows an object by its type, and asks for that first", () => {
     expect(labels('{ "objects": [{ "|" }] }')).toEqual(['"type"']);
     expect(labels('{ "objects": [{ "type": "sphere", "|" }] }')).toEqual(['"center"', '"radius"', '"material"']);
