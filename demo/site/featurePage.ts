@@ -14,7 +14,7 @@ export function featurePage(feature: Feature): string {
     <meta name="description" content="${description}" />
     <link rel="stylesheet" href="${rootOf(path)}features.css" />
     <script type="module" src="./${name}.ts"></script>
-    <script type="module" src="${rootOf(path)}site/openInPlayground.ts"></script>
+    <script type="module" src="${rootOf(path)}openInPlayground.ts"></script>
   </head>
   <body>
     <main id="main" class="feature" tabindex="-1">

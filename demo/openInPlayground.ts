@@ -1,7 +1,7 @@
 import type { Scene } from "rt-viewer";
-import { formatScene } from "../playground/formatScene";
-import { toHash } from "../playground/link";
-import { showPosters } from "../posters";
+import { formatScene } from "./playground/formatScene";
+import { toHash } from "./playground/link";
+import { showPosters } from "./posters";
 
 // Leads from a feature's picture to the playground, with the scene as it is on the page.
 
