@@ -7,7 +7,7 @@ const slider = document.querySelector("input")!;
 function show() {
   const sky = slider.valueAsNumber;
   viewer.scene = scene({
-    camera: { position: [2.2, 2.1, 4.2], target: [0, 0.45, 0], verticalFov: 32 },
+    camera: { position: [1.7, 1.9, 4], target: [-0.35, 0.46, 0.1], verticalFov: 31 },
     materials: { plaster: { baseColor: [0.72, 0.7, 0.67], ior: 1 }, clay: { baseColor: [0.7, 0.32, 0.2], ior: 1 } },
     objects: [
       plane({ point: [0, 0, 0], normal: [0, 1, 0], material: "plaster" }),

@@ -4,7 +4,7 @@ import { metals, plane, scene, sphere, sphereLight } from "rt-viewer";
 const names = Object.keys(metals) as (keyof typeof metals)[];
 
 document.querySelector("rt-viewer")!.scene = scene({
-  camera: { position: [0, 1.5, 6], target: [0, 0.38, 0], verticalFov: 30 },
+  camera: { position: [0, 1.5, 6], target: [0, 0.38, 0], verticalFov: 28 },
   materials: {
     table: { baseColor: [0.3, 0.3, 0.31], roughness: 0.5 },
     ...Object.fromEntries(names.map((name) => [name, { baseColor: metals[name], metallic: 1, roughness: 0.35 }])),
@@ -16,5 +16,5 @@ document.querySelector("rt-viewer")!.scene = scene({
     ),
   ],
   lights: [sphereLight({ position: [-2, 4, 3], radius: 0.9, power: [480, 470, 450] })],
-  environment: { radiance: [0.4, 0.42, 0.46] },
+  environment: { radiance: [0.55, 0.57, 0.6] },
 });

@@ -6,8 +6,8 @@ document.querySelector("rt-viewer")!.scene = scene({
   materials: {
     floor: { baseColor: [0.62, 0.6, 0.57], ior: 1 },
     mirror: { baseColor: [0.96, 0.96, 0.96], metallic: 1, roughness: 0 },
-    red: { baseColor: [0.75, 0.08, 0.05], roughness: 0.3 },
-    yellow: { baseColor: [0.85, 0.6, 0.05], roughness: 0.3 },
+    red: { baseColor: [0.75, 0.08, 0.05], roughness: 0.5 },
+    yellow: { baseColor: [0.85, 0.6, 0.05], roughness: 0.5 },
   },
   objects: [
     plane({ point: [0, 0, 0], normal: [0, 1, 0], material: "floor" }),
@@ -16,6 +16,6 @@ document.querySelector("rt-viewer")!.scene = scene({
     sphere({ center: [-0.25, 0.3, 0.3], radius: 0.3, material: "red" }),
     sphere({ center: [0.3, 0.2, 0.5], radius: 0.2, material: "yellow" }),
   ],
-  lights: [sphereLight({ position: [1, 3.4, 2.6], radius: 0.3, power: [330, 320, 300] })],
+  lights: [sphereLight({ position: [1, 3.4, 2.6], radius: 0.8, power: [330, 320, 300] })],
   environment: { radiance: [0.3, 0.34, 0.42] },
 });
