@@ -30,7 +30,10 @@ const SCREENSHOTS: readonly Screenshot[] = [
   {
     name: "performance",
     path: "performance.html",
-    ready: (page) => expect(page.getByRole("button", { name: "Run again" })).toBeVisible({ timeout: TIMEOUT_MS }),
+    ready: async (page) => {
+      await expect(page.getByRole("button", { name: "Run again" })).toBeVisible({ timeout: TIMEOUT_MS });
+      await page.locator(".race").evaluate((race) => race.scrollIntoView());
+    },
   },
 ];
 
