@@ -1,3 +1,4 @@
+import { fileURLToPath } from "node:url";
 import { defineConfig } from "vitest/config";
 
 const project = (name: string, options: object = {}) => ({
@@ -9,7 +10,10 @@ export default defineConfig({
     // .ci/run adds up what the reports of vitest and Playwright count.
     reporters: process.env.CI ? ["default", ["json", { outputFile: "tests/output/vitest.json" }]] : ["default"],
     projects: [
-      project("unit"),
+      // The demo imports the package by its name.
+      project("unit", {
+        alias: [{ find: /^rt-viewer$/, replacement: fileURLToPath(new URL("src/index.ts", import.meta.url)) }],
+      }),
       project("shaders"),
       // One at a time: a software adapter takes every core. A minute is for the slowest image.
       project("gpu", { fileParallelism: false, testTimeout: 60_000, hookTimeout: 60_000 }),

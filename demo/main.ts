@@ -1,5 +1,6 @@
 import "rt-viewer/element";
 import { isSoftware, loadInTurn } from "./gallery";
+import { showPosters } from "./posters";
 import { takeTurns } from "./turns";
 
 const viewers = [...document.querySelectorAll("rt-viewer")];
@@ -16,6 +17,7 @@ first?.addEventListener("error", () => {
   if (note !== null) note.textContent = "No picture: this browser gives no WebGPU adapter.";
 });
 
+showPosters();
 void loadInTurn(viewers);
 
 function describe(adapter: string, isSlow: boolean): string {

@@ -1,9 +1,12 @@
 import { readdirSync, readFileSync } from "node:fs";
-import { basename } from "node:path";
+import { basename, extname } from "node:path";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 import { sceneSchemaModule } from "../tools/sceneSchemaModule";
 import { leanShaders } from "../vite.config";
+import { site, sitePages } from "./site/plugin";
+
+const TYPES: { readonly [extension: string]: string } = { ".json": "application/json", ".webp": "image/webp" };
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -22,15 +25,17 @@ export default defineConfig({
   },
   plugins: [
     { ...leanShaders(), apply: "build" }, // in development a changed shader reloads the page
+    site(),
     sceneSchemaModule(),
     served("scenes", here("../tests/reference/scenes/"), /\.json$/),
+    served("posters", here("posters/"), /\.webp$/),
     served("references", here("../tests/reference/"), /\.(f32|meta\.json)$/),
   ],
   build: {
     target: "es2022",
     outDir: "dist",
     emptyOutDir: true,
-    rollupOptions: { input: [here("index.html"), here("performance.html")] },
+    rollupOptions: { input: [...sitePages()] },
   },
 });
 
@@ -43,7 +48,7 @@ function served(path: string, folder: string, pattern: RegExp): Plugin {
       server.middlewares.use(`/${path}`, (request, response, next) => {
         const name = basename(new URL(request.url ?? "", "http://localhost").pathname);
         if (!names.includes(name)) return next();
-        response.setHeader("Content-Type", name.endsWith(".json") ? "application/json" : "application/octet-stream");
+        response.setHeader("Content-Type", TYPES[extname(name)] ?? "application/octet-stream");
         response.end(readFileSync(folder + name));
       });
     },

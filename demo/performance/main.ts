@@ -1,7 +1,7 @@
+import { copyText, sayCopied } from "../copying";
+import { element } from "../page";
 import { type Adapter, openAdapter } from "./adapter";
-import { copyText } from "./copying";
 import { OneAtATime } from "./oneAtATime";
-import { element } from "./page";
 import { RaceView } from "./raceView";
 import { resultsText } from "./results";
 import { listSettings, TableView } from "./tableView";
@@ -26,7 +26,7 @@ function start(adapter: Adapter): void {
     button.disabled = false;
     button.addEventListener("click", async () => {
       const outcome = await copyText(resultsText(adapter, race.results, table.results), element("#by-hand"));
-      if (outcome === "copied") confirm(button);
+      if (outcome === "copied") sayCopied(button, "The results are on the clipboard.");
     });
   }
 
@@ -39,17 +39,6 @@ function start(adapter: Adapter): void {
 function describe({ name, isSoftware }: Adapter): void {
   element("#adapter").textContent = name;
   element("#software").hidden = !isSoftware;
-}
-
-/** Says on the button, for a moment, that it has done its work. */
-function confirm(button: HTMLButtonElement): void {
-  const label = button.dataset.label ?? button.textContent ?? "";
-  button.dataset.label = label;
-  button.textContent = "Copied ✓";
-  element("#announcement").textContent = "The results are on the clipboard.";
-  setTimeout(() => {
-    button.textContent = label;
-  }, 2500);
 }
 
 /** A page opened in the background does not race before it is looked at. */

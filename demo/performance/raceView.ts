@@ -1,7 +1,7 @@
+import { element } from "../page";
 import type { Adapter } from "./adapter";
 import { count, duration, percent, shortNumber, times } from "./format";
 import type { OneAtATime } from "./oneAtATime";
-import { element } from "./page";
 import { type Curve, Plot } from "./plot";
 import { ESTIMATORS, type Estimator, type Lane, LIMIT_S, Race } from "./race";
 import { loadReference, type Reference } from "./reference";

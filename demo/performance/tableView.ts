@@ -1,10 +1,10 @@
 import type { Scene } from "rt-viewer";
+import { element } from "../page";
 import type { Adapter } from "./adapter";
 import { percent } from "./format";
 import type { OneAtATime } from "./oneAtATime";
 import { ORIGINAL_SETTINGS } from "./originalSettings";
 import { frameSize, measureFrame, type Size } from "./originalTable";
-import { element } from "./page";
 import { loadReference } from "./reference";
 import type { TableResults, TableRow } from "./results";
 

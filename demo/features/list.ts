@@ -1,0 +1,8 @@
+/** The feature pages in the order in which they are read. A name is that of a `.html` and a `.ts` file beside this one. */
+export const FEATURE_GROUPS = [
+  { title: "Light", names: ["soft-shadows", "emission", "ambient-light", "bounces"] },
+  { title: "Surfaces", names: ["color-bleeding", "metals", "roughness", "mirror"] },
+  { title: "Precision and control", names: ["energy", "target-error", "estimators", "camera"] },
+] as const;
+
+export const FEATURE_NAMES: readonly string[] = FEATURE_GROUPS.flatMap(({ names }) => names);
