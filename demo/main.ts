@@ -1,6 +1,5 @@
 import "rt-viewer/element";
 import { isSoftware, loadInTurn } from "./gallery";
-import { showPosters } from "./posters";
 import { takeTurns } from "./turns";
 
 const viewers = [...document.querySelectorAll("rt-viewer")];
@@ -17,7 +16,6 @@ first?.addEventListener("error", () => {
   if (note !== null) note.textContent = "No picture: this browser gives no WebGPU adapter.";
 });
 
-showPosters();
 void loadInTurn(viewers);
 
 function describe(adapter: string, isSlow: boolean): string {

@@ -1,11 +1,9 @@
 import type { Scene } from "rt-viewer";
 import { formatScene } from "./playground/formatScene";
 import { toHash } from "./playground/link";
-import { showPosters } from "./posters";
 
 // Leads from a feature's picture to the playground, with the scene as it is on the page.
 
-showPosters();
 const link = document.querySelector<HTMLAnchorElement>("[data-playground]");
 const viewer = document.querySelector("rt-viewer");
 
