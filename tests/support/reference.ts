@@ -18,7 +18,7 @@ export type Reference = {
   readonly bias: Float64Array;
 };
 
-export const REFERENCE_NAMES = ["cornell", "spheres", "bleed", "veach", "furnace"] as const;
+export const REFERENCE_NAMES = ["cornell", "spheres", "bleed", "veach", "furnace", "knot", "glow"] as const;
 
 type Meta = { readonly width: number; readonly height: number; readonly spp: number };
 
