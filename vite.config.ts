@@ -20,10 +20,21 @@ export default defineConfig({
   plugins: [leanShaders()],
   build: {
     lib: {
-      entry: { index: "src/index.ts", element: "src/element.ts", panel: "src/panel/panel.ts" },
+      entry: {
+        index: "src/index.ts",
+        element: "src/element.ts",
+        panel: "src/panel/panel.ts",
+        gltf: "src/loaders/gltf.ts",
+      },
       formats: ["es"],
     },
-    rollupOptions: { external: [/^(tweakpane|valibot|wesl|wgpu-matrix)(\/|$)/] },
+    rollupOptions: {
+      external: [
+        /^(@gltf-transform\/(core|extensions)|meshoptimizer|tweakpane|valibot|wesl|wgpu-matrix)(\/|$)/,
+        // Its decoder is external; the WebAssembly beside it comes with the package, so that no bundler has to find it.
+        /^draco3dgltf\/.*\.js$/,
+      ],
+    },
     target: "es2022",
     sourcemap: true,
     minify: false,

@@ -15,6 +15,7 @@ export default defineConfig({
     alias: [
       { find: /^rt-viewer$/, replacement: here("../src/index.ts") },
       { find: /^rt-viewer\/element$/, replacement: here("../src/element.ts") },
+      { find: /^rt-viewer\/gltf$/, replacement: here("../src/loaders/gltf.ts") },
       { find: /^rt-viewer\/panel$/, replacement: here("../src/panel/panel.ts") },
     ],
   },

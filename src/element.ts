@@ -5,6 +5,7 @@ import { RtViewerElement } from "./element/rtViewerElement";
 export type {
   ConvergedDetail,
   ErrorDetail,
+  LoadWarningsDetail,
   ProgressDetail,
   ReadyDetail,
   RtViewerEventMap,

@@ -32,3 +32,8 @@ export class WebGpuError extends RtViewerError {
 export class UnsupportedError extends RtViewerError {
   override readonly name = "UnsupportedError";
 }
+
+/** A file cannot be made into a scene: it is damaged, needs something we lack, or is too large. The message starts with its name. */
+export class LoadError extends RtViewerError {
+  override readonly name = "LoadError";
+}

@@ -1,4 +1,4 @@
-export { RtViewerError, SceneError, type SceneIssue, UnsupportedError, WebGpuError } from "./errors";
+export { LoadError, RtViewerError, SceneError, type SceneIssue, UnsupportedError, WebGpuError } from "./errors";
 export type { View } from "./renderer/display";
 export { PathTracer, type PathTracerOptions } from "./renderer/pathTracer";
 export { DEFAULT_SETTINGS, type Settings } from "./renderer/settings";

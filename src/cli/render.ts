@@ -1,14 +1,15 @@
-import { readFile, writeFile } from "node:fs/promises";
+import { writeFile } from "node:fs/promises";
 import { parseArgs } from "node:util";
 import { encode } from "fast-png";
 import { RtViewerError } from "../errors";
 import { PathTracer } from "../renderer/pathTracer";
 import type { Settings } from "../renderer/settings";
-import type { Scene } from "../scene/schema";
 import { requestDawnDevice } from "./dawn";
 import { encodePfm } from "./pfm";
+import { readScene } from "./readScene";
 
-const USAGE = `Usage: npm run render -- SCENE.json [options]
+const USAGE = `Usage: npm run render -- SCENE [options]
+  SCENE               .json, .glb or .gltf
   --size WxH          pixels, default 256x256
   --samples N         per pixel, default 64
   --seed N            default 1
@@ -38,7 +39,7 @@ class UsageError extends RtViewerError {
   override readonly name = "UsageError";
 }
 
-/** `npm run render`: a scene file becomes a picture, without a display. Prints one line of JSON last. */
+/** `npm run render`: a scene file, JSON or glTF, becomes a picture, without a display. Prints one line of JSON last. */
 export async function main(args: string[]): Promise<void> {
   try {
     await render(args);
@@ -67,8 +68,10 @@ async function render(args: string[]): Promise<void> {
     ...(values.bounces !== undefined && { maxBounces: integer("--bounces", values.bounces, 0) }),
   };
 
+  const { scene, warnings } = await readScene(file);
+  for (const warning of warnings) console.error(warning);
   const tracer = await PathTracer.create({
-    scene: await readScene(file),
+    scene,
     width,
     height,
     settings,
@@ -105,17 +108,6 @@ function parse(args: string[]) {
     return parseArgs({ args, options: OPTIONS, allowPositionals: true });
   } catch (error) {
     throw new UsageError(`${(error as Error).message}\n\n${USAGE}`);
-  }
-}
-
-async function readScene(file: string): Promise<Scene> {
-  const text = await readFile(file, "utf8").catch((cause: Error) => {
-    throw new UsageError(`could not read ${file}: ${cause.message}`, { cause });
-  });
-  try {
-    return JSON.parse(text) as Scene; // checked by the tracer
-  } catch (cause) {
-    throw new UsageError(`${file} is not JSON: ${(cause as Error).message}`, { cause });
   }
 }
 

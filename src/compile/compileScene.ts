@@ -69,8 +69,9 @@ export function compileScene(
     () => slots.numbers.length / 4,
     (id) => camera === undefined || canBlock(id, primitives, emitters, camera),
     stackSizeFor(geometry),
+    Object.keys(scene.textures).length,
   );
-  const uniform = packScene(primitives, emitters, environment, slots.numbers);
+  const uniform = packScene(primitives, emitters, environment, scene.textures, slots.numbers);
   if (uniform.byteLength > MAX_UNIFORM_BYTES) {
     throw new UnsupportedError(
       `the scene's ${primitives.length} objects need ${uniform.byteLength} bytes of uniforms; there are ${MAX_UNIFORM_BYTES}. Use fewer objects`,

@@ -20,6 +20,7 @@ import { add, cross, length, scale, subtract } from "./vec3";
  * @param slotCount - how many slots the uniform holds, once all numbers are named.
  * @param blocks - whether primitive `id` can come between a shaded point and a light.
  * @param stackSize - levels of the tree of meshes, at most.
+ * @param textureCount - how many textures the uniform holds.
  */
 export function emitScene(
   primitives: readonly Primitive[],
@@ -29,6 +30,7 @@ export function emitScene(
   slotCount: () => number,
   blocks: (id: number) => boolean,
   stackSize: number,
+  textureCount: number,
 ): string {
   const sampled = new Set(emitters.map((emitter) => emitter.primitive));
   const emitted = primitives.flatMap(({ shape }, id) =>
@@ -60,6 +62,7 @@ import package::planar::{planeIntersect, planeIntersectX, planeIntersectY, plane
 import package::ray::{Hit, Ray, between, nearer, noHit};
 import package::sphere::{hugeSphereIntersect, sphereIntersect};
 import package::surface::{Material, Surface};
+import package::textures::{Factors, Texture};
 import package::tree::{treeClosest, treeOccludes};
 
 // Ids from here on are those of triangles, by their slot in the tree.
@@ -74,7 +77,7 @@ struct Scene {
   // See anchorRow in compile/packScene.ts.
   anchors: array<vec4f, ${Math.max(anchorRows(primitives).length, 1)}>,
   lights: array<Light, ${Math.max(emitters.length, 1)}>,
-  // Values of the intersection functions below.
+${textureCount > 0 ? textureMembers(primitives.length, textureCount) : ""}  // Values of the intersection functions below.
   slots: array<vec4f, ${Math.max(slotCount(), 1)}>,
 }
 
@@ -101,10 +104,27 @@ ${normals}  return n;
 fn environment() -> vec3f {
   return scene.environment.rgb;
 }
-
+${textureCount > 0 ? TEXTURE_LOOKUPS : ""}
 ${emitLookups(primitives, emitters, values)}
 ${lightChoice}`;
 }
+
+function textureMembers(primitiveCount: number, textureCount: number): string {
+  return `  // By primitive.
+  factors: array<Factors, ${Math.max(primitiveCount, 1)}>,
+  textures: array<Texture, ${textureCount}>,
+`;
+}
+
+const TEXTURE_LOOKUPS = `
+fn factorsOf(i: u32) -> Factors {
+  return scene.factors[i];
+}
+
+fn textureOf(i: u32) -> Texture {
+  return scene.textures[i];
+}
+`;
 
 /**
  * Functions that look values up: `shapeOf(id)`; per field of a material `alphaOf(id)` and so on; per field of a light

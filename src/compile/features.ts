@@ -1,4 +1,4 @@
-import type { ResolvedMaterial } from "../scene/schema";
+import { type ResolvedMaterial, TEXTURE_FIELDS, type TextureField } from "../scene/schema";
 import { type Emitter, isEmissive, type LightKind } from "./emitters";
 import type { Primitive, Shape } from "./primitives";
 
@@ -24,9 +24,10 @@ export function deriveFeatures(
   const specular = materials.filter(hasSpecularLobe);
   const rough = specular.filter((material) => alphaOf(material) > 0);
   const hasShape = (kind: Shape["kind"]) => primitives.some(({ shape }) => shape.kind === kind);
+  const hasTexture = (field: TextureField) => materials.some((material) => material[field] !== undefined);
   const hasLight = (kind: LightKind) => emitters.some((emitter) => emitter.kind === kind);
 
-  const DIFFUSE = materials.length === 0 || materials.some((material) => material.metallic < 1);
+  const DIFFUSE = materials.length === 0 || materials.some(hasDiffuseLobe);
   const SPECULAR = specular.length > 0;
   return {
     SPHERES: hasShape("sphere"),
@@ -35,6 +36,12 @@ export function deriveFeatures(
     MESHES: hasShape("mesh"),
     // Some mesh has normals.
     SMOOTH: isSmooth,
+    // Or a texture of them: shading goes by another normal than the surface's own.
+    SHADING_NORMALS: isSmooth || hasTexture("normalTexture"),
+    TEXTURES: TEXTURE_FIELDS.some(hasTexture),
+    SURFACE_TEXTURES: hasTexture("baseColorTexture") || hasTexture("metallicRoughnessTexture"),
+    EMISSION_TEXTURES: hasTexture("emissionTexture"),
+    NORMAL_TEXTURES: hasTexture("normalTexture"),
     HUGE_SPHERES: hasHugeSpheres(primitives),
     RIMS: hasRims(primitives),
     DIFFUSE,
@@ -45,7 +52,7 @@ export function deriveFeatures(
     SCHLICK_BECKMANN: rough.some((material) => material.masking === "schlick-beckmann"),
     MULTISCATTER: rough.some((material) => material.multiscatter && material.metallic > 0),
     // Some surface has both.
-    LOBES: specular.some((material) => material.metallic < 1),
+    LOBES: specular.some(hasDiffuseLobe),
     EMISSION: primitives.some(isEmissive),
     SPHERE_EMITTERS: primitives.some((primitive) => primitive.shape.kind === "sphere" && isEmissive(primitive)),
     LAMPS: primitives.some(isEmissive) && settings.estimator === "path",
@@ -74,6 +81,11 @@ export function hasHugeSpheres(primitives: readonly Primitive[]): boolean {
 /** Flat shapes that may meet at an edge. */
 export function hasRims(primitives: readonly Primitive[]): boolean {
   return primitives.filter(({ shape }) => shape.kind === "quad" || shape.kind === "triangle").length > 1;
+}
+
+/** A texture may make a metal less of one. */
+function hasDiffuseLobe({ metallic, metallicRoughnessTexture }: ResolvedMaterial): boolean {
+  return metallic < 1 || metallicRoughnessTexture !== undefined;
 }
 
 /** A dielectric of ior 1 has no interface: it is Lambert only. */
@@ -109,6 +121,8 @@ export function describeFeatures(
     ...(features.SMITH ? ["Smith masking"] : []),
     ...(features.SCHLICK_BECKMANN ? ["Schlick–Beckmann masking"] : []),
     ...(features.MULTISCATTER ? ["multiple scattering"] : []),
+    ...(features.SMOOTH ? ["smooth normals"] : []),
+    ...(features.TEXTURES ? ["textures"] : []),
     ...[...lights].map(([kind, count]) => counted(count, `${kind} light`)),
     ...(features.ENVIRONMENT ? ["environment"] : []),
     features.SOBOL ? "Sobol points" : "independent points",

@@ -5,6 +5,7 @@ import { triangleBounds } from "../bvh/triangleBounds";
 import type { ResolvedObject, ResolvedScene, Vec3 } from "../scene/schema";
 import { packItems } from "./packItems";
 import { type MeshLamp, packLamps } from "./packLamps";
+import { haveSameTexels, packTexels, type Textures } from "./packTextures";
 import { packTree } from "./packTree";
 import { length, subtract } from "./vec3";
 
@@ -35,6 +36,9 @@ export type GeometryData = {
   readonly normals: ArrayBuffer | undefined;
   /** Undefined where no mesh emits. */
   readonly shiningTriangles: ArrayBuffer | undefined;
+  /** Undefined where no material has textures. */
+  readonly uvs: ArrayBuffer | undefined;
+  readonly texels: ArrayBuffer | undefined;
 };
 
 export type Geometry = {
@@ -44,6 +48,7 @@ export type Geometry = {
   /** Ids of those that emit, and, of those of them that have an area, where their triangles stand. */
   readonly emitting: readonly number[];
   readonly lamps: ReadonlyMap<number, MeshLamp>;
+  readonly textures: Textures;
   readonly triangleCount: number;
   /** `slotOf[triangle]`: where a triangle lies in the tree's leaves. */
   readonly slotOf: Uint32Array;
@@ -64,7 +69,7 @@ export async function prepareGeometry(scene: ResolvedScene, previous?: Geometry)
   const origin = scene.camera.target;
   const emits = (object: MeshObject) => scene.materials[object.material]!.emission.some((value) => value > 0);
   const emitting = meshes.flatMap(({ object, id }) => (emits(object) ? [id] : []));
-  if (previous && isSame(previous, meshes, origin)) {
+  if (previous && isSame(previous, meshes, origin) && haveSameTexels(previous.textures, scene.textures)) {
     return String(emitting) === String(previous.emitting) ? previous : withLamps(previous, emitting);
   }
 
@@ -82,8 +87,10 @@ export async function prepareGeometry(scene: ResolvedScene, previous?: Geometry)
   const bvh = buildBvh(bounds, { maxLeaf: MAX_LEAF });
   const slotOf = new Uint32Array(triangleCount);
   for (let slot = 0; slot < bvh.order.length; slot++) slotOf[bvh.order[slot]!] = slot;
-  const data = { nodes: packTree(bvh), ...packItems(parts, slotOf) };
-  return withLamps({ origin, parts, triangleCount, slotOf, depth: bvh.depth, data }, emitting);
+  const { textures } = scene;
+  const texels = packTexels(textures);
+  const data = { nodes: packTree(bvh), ...packItems(parts, slotOf, texels !== undefined), texels };
+  return withLamps({ origin, parts, textures, triangleCount, slotOf, depth: bvh.depth, data }, emitting);
 }
 
 /** Whether there is something to prepare. */
@@ -144,7 +151,7 @@ function isSame(
   });
 }
 
-const GEOMETRY_FIELDS = ["positions", "indices", "normals"] as const;
+const GEOMETRY_FIELDS = ["positions", "indices", "normals", "uvs"] as const;
 
 type TypedArray = Float64Array | Float32Array | Uint32Array;
 

@@ -24,6 +24,26 @@ export const LIGHT = defineStruct({
   radiance: "vec3f",
 });
 
+/** What a primitive's textures multiply: `Factors` in `wgsl/textures.wgsl`. */
+export const FACTORS = defineStruct({
+  baseColor: "vec3f",
+  metallic: "f32",
+  roughness: "f32",
+  normalScale: "f32",
+  baseColorTexture: "u32",
+  metallicRoughnessTexture: "u32",
+  emissionTexture: "u32",
+  normalTexture: "u32",
+});
+
+/** One texture: `Texture` in `wgsl/textures.wgsl`. */
+export const TEXTURE = defineStruct({
+  place: "vec3u",
+  wrapU: "u32",
+  wrapV: "u32",
+  nearest: "u32",
+});
+
 /** What changes from dispatch to dispatch: `FrameUniforms` in `wgsl/uniforms.wgsl`. */
 export const FRAME = defineStruct({
   origin: "vec3f",

@@ -3,6 +3,14 @@ import { NO_NORMAL, packDirections } from "./octahedral";
 
 const ITEM_WORDS = 12;
 
+export type PackedItems = {
+  readonly items: ArrayBuffer;
+  /** Of the three vertices of each triangle; undefined where no mesh has normals. */
+  readonly normals: ArrayBuffer | undefined;
+  /** Likewise; undefined unless asked for. */
+  readonly uvs: ArrayBuffer | undefined;
+};
+
 /**
  * The triangles of all meshes as `wgsl/tree.wgsl` and `wgsl/mesh.wgsl` read them, by slot. An item is 48 bytes: vertex a, the
  * primitive's id, vertex b, 1 if the front is where a, b, c run clockwise and else 0, vertex c, 4 unused bytes. Vertices are in
@@ -10,48 +18,57 @@ const ITEM_WORDS = 12;
  *
  * @param slotOf - by triangle, numbered through all meshes.
  */
-export function packItems(
-  parts: readonly MeshPart[],
-  slotOf: Uint32Array,
-): { items: ArrayBuffer; normals: ArrayBuffer | undefined } {
-  const items = new ArrayBuffer(4 * ITEM_WORDS * Math.max(slotOf.length, 1));
+export function packItems(parts: readonly MeshPart[], slotOf: Uint32Array, hasTextures: boolean): PackedItems {
+  const count = Math.max(slotOf.length, 1); // WebGPU has no empty buffers
+  const items = new ArrayBuffer(4 * ITEM_WORDS * count);
+  const [floats, words] = [new Float32Array(items), new Uint32Array(items)];
   const isSmooth = parts.some(({ object }) => object.normals !== undefined);
-  const normals = isSmooth ? new Uint32Array(3 * Math.max(slotOf.length, 1)).fill(NO_NORMAL) : undefined;
-  const floats = new Float32Array(items);
-  const words = new Uint32Array(items);
+  const normals = isSmooth ? new Uint32Array(3 * count).fill(NO_NORMAL) : undefined;
+  const uvs = hasTextures ? new Float32Array(6 * count) : undefined;
 
   for (const { object, id, positions, firstTriangle } of parts) {
     const { indices } = object;
-    const isBelow = (v: number, w: number) => {
-      for (let axis = 0; axis < 3; axis++) {
-        const [x, y] = [positions[3 * v + axis]!, positions[3 * w + axis]!];
-        if (x !== y) return x < y;
-      }
-      return false;
-    };
     const vertexNormals = object.normals && packDirections(object.normals);
+    const corners = new Uint32Array(3);
     for (let i = 0; i < indices.length; i += 3) {
-      let [a, b, c] = [indices[i]!, indices[i + 1]!, indices[i + 2]!];
-      let isTurned = false;
-      if (isBelow(b, a)) [a, b, isTurned] = [b, a, !isTurned];
-      if (isBelow(c, b)) [b, c, isTurned] = [c, b, !isTurned];
-      if (isBelow(b, a)) [a, b, isTurned] = [b, a, !isTurned];
-
+      corners.set(indices.subarray(i, i + 3));
+      const isTurned = sortCorners(corners, positions);
       const slot = slotOf[firstTriangle + i / 3]!;
       const at = ITEM_WORDS * slot;
-      for (let axis = 0; axis < 3; axis++) {
-        floats[at + axis] = positions[3 * a + axis]!;
-        floats[at + 4 + axis] = positions[3 * b + axis]!;
-        floats[at + 8 + axis] = positions[3 * c + axis]!;
-      }
       words[at + 3] = id;
       words[at + 7] = isTurned ? 1 : 0;
-      if (normals && vertexNormals) {
-        normals[3 * slot] = vertexNormals[a]!;
-        normals[3 * slot + 1] = vertexNormals[b]!;
-        normals[3 * slot + 2] = vertexNormals[c]!;
+      for (let corner = 0; corner < 3; corner++) {
+        const vertex = corners[corner]!;
+        for (let axis = 0; axis < 3; axis++) floats[at + 4 * corner + axis] = positions[3 * vertex + axis]!;
+        if (normals && vertexNormals) normals[3 * slot + corner] = vertexNormals[vertex]!;
+        if (uvs && object.uvs) {
+          uvs[6 * slot + 2 * corner] = object.uvs[2 * vertex]!;
+          uvs[6 * slot + 2 * corner + 1] = object.uvs[2 * vertex + 1]!;
+        }
       }
     }
   }
-  return { items, normals: normals?.buffer };
+  return { items, normals: normals?.buffer, uvs: uvs?.buffer };
+}
+
+/** Sorts three vertices by their positions, and tells whether that turned the triangle round. */
+function sortCorners(corners: Uint32Array, positions: Float32Array): boolean {
+  const first = sortPair(corners, 0, positions);
+  const second = sortPair(corners, 1, positions);
+  const third = sortPair(corners, 0, positions);
+  return (first !== second) !== third;
+}
+
+/** Swaps a corner with the next one if it comes after it, and tells whether. */
+function sortPair(corners: Uint32Array, i: number, positions: Float32Array): boolean {
+  const [v, w] = [corners[i]!, corners[i + 1]!];
+  for (let axis = 0; axis < 3; axis++) {
+    const difference = positions[3 * v + axis]! - positions[3 * w + axis]!;
+    if (difference < 0) return false;
+    if (difference === 0) continue;
+    corners[i] = w;
+    corners[i + 1] = v;
+    return true;
+  }
+  return false;
 }

@@ -3,7 +3,8 @@ import type { ResolvedMaterial, Rgb } from "../scene/schema";
 import type { StructFields, StructLayout, StructValue } from "./defineStruct";
 import { type Emitter, LIGHT_KINDS } from "./emitters";
 import { alphaOf, hasHugeSpheres, hasRims, hasSpecularLobe } from "./features";
-import { LIGHT, MATERIAL } from "./layouts";
+import { FACTORS, LIGHT, MATERIAL, TEXTURE } from "./layouts";
+import { factorRows, hasTextures, type Textures, textureRows } from "./packTextures";
 import type { Primitive, Shape } from "./primitives";
 import { towardsMiddle } from "./rims";
 import { add, cross, length, scale, subtract } from "./vec3";
@@ -12,13 +13,14 @@ const NO_PRIMITIVE = 0xffffffff;
 const VEC4_BYTES = 16;
 
 /**
- * The bytes of the uniform `scene`: environment, materials, shapes, anchors, lights, slots, in the order and with the array
+ * The bytes of the uniform `scene`: environment, materials, shapes, anchors, lights, factors, textures, slots, in the order and with the array
  * lengths of the struct that `emitScene` declares. Every member is a multiple of 16 bytes long.
  */
 export function packScene(
   primitives: readonly Primitive[],
   emitters: readonly Emitter[],
   environment: Rgb,
+  textures: Textures,
   slots: readonly number[],
 ): ArrayBuffer {
   const materials = materialRows(primitives, emitters);
@@ -29,6 +31,8 @@ export function packScene(
     orZeros(floats(shapes), VEC4_BYTES),
     orZeros(floats(anchorRows(primitives).flat()), VEC4_BYTES),
     orZeros(rows(LIGHT, lightRows(emitters)), LIGHT.bytes),
+    rows(FACTORS, hasTextures(textures) ? factorRows(primitives, textures) : []),
+    rows(TEXTURE, textureRows(textures)),
     orZeros(floats(slots), VEC4_BYTES),
   ]);
 }

@@ -1,7 +1,7 @@
 import type { Vec3 } from "../scene/schema";
 
 /** WGSL types that tables are made of. */
-export type RowType = "f32" | "u32" | "vec3f" | "vec4f";
+export type RowType = "f32" | "u32" | "vec3u" | "vec3f" | "vec4f";
 
 /** How generated code names the numbers of a scene. */
 export interface Values {

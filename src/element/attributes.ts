@@ -26,6 +26,7 @@ export const EXPOSURE_RULE: NumberRule = { min: -32, max: 32, isInteger: false }
 export const OBSERVED_ATTRIBUTES: readonly string[] = [
   "src",
   "controls",
+  "drop",
   "stats",
   "paused",
   "alt",

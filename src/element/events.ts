@@ -24,12 +24,19 @@ export type ErrorDetail = {
   readonly error: Error;
 };
 
+/** `loadwarnings`: a file was read, and has something that is not shown, or not as it should be. */
+export type LoadWarningsDetail = {
+  /** One sentence each. */
+  readonly warnings: readonly string[];
+};
+
 /** The events of `<rt-viewer>`. None of them bubbles. */
 export interface RtViewerEventMap {
   ready: CustomEvent<ReadyDetail>;
   progress: CustomEvent<ProgressDetail>;
   converged: CustomEvent<ConvergedDetail>;
   error: CustomEvent<ErrorDetail>;
+  loadwarnings: CustomEvent<LoadWarningsDetail>;
 }
 
 /** Every event an `<rt-viewer>` can receive: its own, and those of any HTML element. */

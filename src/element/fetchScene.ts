@@ -1,35 +1,22 @@
 import { RtViewerError } from "../errors";
-import type { Scene } from "../scene/schema";
+import { fetchBytes } from "../loaders/fetchBytes";
+import type { LoadedScene } from "../loaders/loadedScene";
+
+/** Of an address in a message: a `data:` URL can be a whole model. */
+const MAX_NAME_LENGTH = 200;
 
 /**
- * Reads a scene file. What is in it is not validated here: the tracer does that, and lists every issue.
+ * Reads a scene file of any kind that `loadScene` knows. What is in a JSON scene is not validated here: the tracer does
+ * that, and lists every issue.
  *
- * @param src - relative to `base`.
- * @throws {RtViewerError} if the file cannot be fetched or is not JSON. An aborted fetch throws the signal's reason.
+ * @param src - relative to `base`. What the file refers to is relative to the file.
+ * @throws {RtViewerError} if the file cannot be fetched or read. An aborted fetch throws the signal's reason.
  */
-export async function fetchScene(src: string, base: string, signal: AbortSignal): Promise<Scene> {
+export async function fetchScene(src: string, base: string, signal: AbortSignal): Promise<LoadedScene> {
   if (!URL.canParse(src, base)) throw new RtViewerError(`${src} is not a URL`);
   const url = new URL(src, base).href;
-  const text = await fetchText(url, signal);
-  try {
-    return JSON.parse(text) as Scene;
-  } catch (cause) {
-    throw new RtViewerError(`${url} is not JSON: ${messageOf(cause)}`, { cause });
-  }
-}
-
-async function fetchText(url: string, signal: AbortSignal): Promise<string> {
-  let response: Response;
-  try {
-    response = await fetch(url, { signal });
-    if (response.ok) return await response.text();
-  } catch (cause) {
-    signal.throwIfAborted();
-    throw new RtViewerError(`${url} could not be fetched: ${messageOf(cause)}`, { cause });
-  }
-  throw new RtViewerError(`${url} could not be fetched: ${response.status} ${response.statusText}`.trimEnd());
-}
-
-function messageOf(cause: unknown): string {
-  return cause instanceof Error ? cause.message : String(cause);
+  // The code that tells files apart arrives while the file does.
+  const [bytes, { loadScene }] = await Promise.all([fetchBytes(url, signal), import("../loaders/loadScene")]);
+  const name = url.length > MAX_NAME_LENGTH ? `${url.slice(0, MAX_NAME_LENGTH)}…` : url;
+  return loadScene(bytes, { name, baseUrl: url, signal });
 }

@@ -17,7 +17,7 @@ export class ReflectedElement extends BrowserElement {
   /** The settings that have no attribute. */
   #settings: Partial<Settings> = {};
 
-  /** URL of a scene file (JSON), relative to the page. Attribute `src`. Overridden by the property `scene`. */
+  /** URL of a scene file, JSON or glTF, relative to the page. Attribute `src`. Overridden by the property `scene`. */
   get src(): string {
     return this.getAttribute("src") ?? "";
   }
@@ -31,6 +31,14 @@ export class ReflectedElement extends BrowserElement {
   }
   set controls(value: boolean) {
     this.toggleAttribute("controls", Boolean(value));
+  }
+
+  /** Whether a file that is dropped on the element is shown: a scene, with the files it refers to. Attribute `drop`, default off. */
+  get drop(): boolean {
+    return this.hasAttribute("drop");
+  }
+  set drop(value: boolean) {
+    this.toggleAttribute("drop", Boolean(value));
   }
 
   /**

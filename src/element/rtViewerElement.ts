@@ -22,7 +22,18 @@ const DISPOSAL_GRACE_MS = 10;
 const DEFAULT_LABEL = "3D scene";
 
 /** What a page may have set before the element was defined. */
-const UPGRADED_PROPERTIES = ["src", "controls", "stats", "showStats", "paused", "alt", "exposure", "settings", "scene"];
+const UPGRADED_PROPERTIES = [
+  "src",
+  "controls",
+  "drop",
+  "stats",
+  "showStats",
+  "paused",
+  "alt",
+  "exposure",
+  "settings",
+  "scene",
+];
 
 /**
  * `<rt-viewer src="scene.json" controls stats></rt-viewer>`: a path-traced scene in a page.
@@ -45,6 +56,9 @@ export class RtViewerElement extends ReflectedElement {
   /** Ends the listeners and observers of the time the element is in a document. */
   #connection: AbortController | undefined;
   #controls: AbortController | undefined;
+  #drop: AbortController | undefined;
+  /** The files that are being read. */
+  #opening: AbortController | undefined;
   #disposal: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
@@ -71,6 +85,7 @@ export class RtViewerElement extends ReflectedElement {
     return this.#scene;
   }
   set scene(scene: Scene | undefined) {
+    this.#opening?.abort();
     this.#scene = scene;
     this.#load();
   }
@@ -105,6 +120,23 @@ export class RtViewerElement extends ReflectedElement {
     this.showStats = isShown;
   }
 
+  /**
+   * Shows a file, as if its scene had been set: one that was picked or dropped.
+   *
+   * @param files - a scene, JSON or glTF, and the files it refers to, if any.
+   * @throws {LoadError} if it cannot be read; what is shown then stays. An `AbortError` if another scene was set meanwhile.
+   */
+  async open(...files: readonly Blob[]): Promise<void> {
+    this.#opening?.abort();
+    const opening = new AbortController();
+    this.#opening = opening;
+    const { readFiles } = await import("../loaders/readFiles");
+    const { scene, warnings } = await readFiles(files, opening.signal);
+    opening.signal.throwIfAborted();
+    this.scene = scene;
+    this.#warn(warnings);
+  }
+
   /** Throws away what has been sampled and starts over. */
   reset(): void {
     this.tracer?.reset();
@@ -121,6 +153,7 @@ export class RtViewerElement extends ReflectedElement {
     watchBox(this.#canvas, (box) => (this.#stage.size = canvasSize(box)), signal);
     watchVisibility(this, (isVisible) => this.#onVisibility(isVisible), signal);
     this.#bindControls();
+    this.#bindDrop();
     this.#label();
     if (this.#source() !== this.#requested) this.#load();
     else this.#updateLoop();
@@ -130,13 +163,16 @@ export class RtViewerElement extends ReflectedElement {
     this.#connection?.abort();
     this.#connection = undefined;
     this.#controls?.abort();
+    this.#drop?.abort();
     this.#updateLoop();
     this.#disposal = setTimeout(() => this.#dispose(), DISPOSAL_GRACE_MS);
   }
 
   attributeChangedCallback(name: string): void {
+    if (name === "src") this.#opening?.abort();
     if (name === "src" && this.#scene === undefined) this.#load();
     else if (name === "controls") this.#bindControls();
+    else if (name === "drop") this.#bindDrop();
     else if (name === "stats") this.#showPanel();
     else if (name === "alt") this.#label();
     else if (name === "paused") this.#stage.isPaused = this.paused;
@@ -168,8 +204,18 @@ export class RtViewerElement extends ReflectedElement {
     }
     const { baseURI } = this.ownerDocument;
     void this.#stage.show(async (signal) =>
-      typeof source === "string" ? fetchScene(source, baseURI, signal) : source,
+      typeof source === "string" ? this.#fetch(source, baseURI, signal) : source,
     );
+  }
+
+  async #fetch(src: string, base: string, signal: AbortSignal): Promise<Scene> {
+    const { scene, warnings } = await fetchScene(src, base, signal);
+    if (!signal.aborted) this.#warn(warnings);
+    return scene;
+  }
+
+  #warn(warnings: readonly string[]): void {
+    if (warnings.length > 0) this.#emit("loadwarnings", { warnings });
   }
 
   #onScene(): void {
@@ -232,6 +278,21 @@ export class RtViewerElement extends ReflectedElement {
       onChange: (camera: ResolvedCamera) => this.#stage.moveCamera(camera),
     };
     bindOrbitControls(this.#canvas, target, signal);
+  }
+
+  #bindDrop(): void {
+    this.#drop?.abort();
+    this.#drop = undefined;
+    if (!this.drop || this.#connection === undefined) return;
+    this.#drop = new AbortController();
+    this.#loadDrop(this.#drop.signal).catch((error: Error) => this.#emit("error", { error }));
+  }
+
+  async #loadDrop(signal: AbortSignal): Promise<void> {
+    const { bindFileDrop } = await import("./fileDrop");
+    if (signal.aborted) return;
+    const onFiles = (files: readonly File[]) => this.open(...files);
+    bindFileDrop(this, this.shadowRoot!, { onFiles }, signal);
   }
 
   #showPanel(): void {

@@ -37,6 +37,23 @@ canvas:focus-visible {
   border-radius: 8px;
 }
 
+.drop {
+  position: absolute;
+  inset: 0;
+  display: grid;
+  place-items: center;
+  padding: 16px;
+  pointer-events: none;
+  background: #17181cb3;
+  color: #e8e9ed;
+  font: 600 15px / 1.5 system-ui, sans-serif;
+  overflow-wrap: anywhere;
+  outline: 2px dashed var(--rt-viewer-focus-color, #6ea8fe);
+  outline-offset: -10px;
+}
+.drop[hidden] { display: none; }
+.drop.reason { place-items: end start; background: linear-gradient(#17181c00 60%, #17181ce6); outline: 0; color: #ff9d8a; }
+
 .message {
   position: absolute;
   inset: 0;

@@ -11,14 +11,17 @@ const BINDINGS: Readonly<Record<Part, { readonly binding: number; readonly isTex
   items: { binding: 6, isTexture: true },
   normals: { binding: 7 },
   shiningTriangles: { binding: 8 },
+  uvs: { binding: 9 },
+  texels: { binding: 10 },
 };
 
 /** What a program with these features reads. */
-export function geometryLayout({ MESHES, SMOOTH, MESH_LIGHTS }: Features): GPUBindGroupLayoutEntry[] {
+export function geometryLayout({ MESHES, SMOOTH, MESH_LIGHTS, TEXTURES }: Features): GPUBindGroupLayoutEntry[] {
   const parts: readonly Part[] = [
     ...(MESHES ? (["nodes", "items"] as const) : []),
     ...(SMOOTH ? (["normals"] as const) : []),
     ...(MESH_LIGHTS ? (["shiningTriangles"] as const) : []),
+    ...(TEXTURES ? (["uvs", "texels"] as const) : []),
   ];
   return parts.map((part) => {
     const { binding, isTexture } = BINDINGS[part];

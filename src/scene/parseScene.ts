@@ -2,7 +2,7 @@ import * as v from "valibot";
 import { SceneError, type SceneIssue } from "../errors";
 import { HOPELESS, isObject, MAX_FAULTY_ENTRIES } from "./containers";
 import { show } from "./describe";
-import { CameraSchema, type ResolvedCamera, type ResolvedScene, SceneSchema } from "./schema";
+import { CameraSchema, type ResolvedCamera, type ResolvedScene, SceneSchema, TEXTURE_FIELDS } from "./schema";
 
 // More names than this make a list that nobody reads.
 const MAX_LISTED_NAMES = 8;
@@ -73,9 +73,6 @@ function findUnknownNames(scene: unknown): SceneIssue[] {
   return issues;
 }
 
-/** The fields of a material that name a texture. */
-const TEXTURE_FIELDS = ["baseColorTexture", "metallicRoughnessTexture", "emissionTexture", "normalTexture"] as const;
-
 function hasTexture(material: unknown): boolean {
   return TEXTURE_FIELDS.some((field) => property(material, field) !== undefined);
 }
@@ -98,7 +95,7 @@ function property(container: unknown, key: string): unknown {
 }
 
 /** `objects[3].radius`, `materials["old gold"].ior`: the way to a value as JavaScript spells it. */
-function formatPath(path: readonly { readonly key: unknown }[]): string {
+export function formatPath(path: readonly { readonly key: unknown }[]): string {
   return path.reduce((text, { key }) => {
     if (typeof key === "number") return `${text}[${key}]`;
     if (!/^[\p{ID_Start}$_][\p{ID_Continue}$]*$/u.test(String(key))) return `${text}[${show(key)}]`;

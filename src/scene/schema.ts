@@ -108,6 +108,15 @@ export const MaterialSchema = strictObject(
   },
 );
 
+/** The fields of a material that name a texture. */
+export const TEXTURE_FIELDS = [
+  "baseColorTexture",
+  "metallicRoughnessTexture",
+  "emissionTexture",
+  "normalTexture",
+] as const;
+export type TextureField = (typeof TEXTURE_FIELDS)[number];
+
 /** The name of one of the scene's materials. */
 const materialName = v.string((issue) => `expected the name of a material, got ${show(issue.input)}`);
 

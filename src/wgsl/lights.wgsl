@@ -10,8 +10,10 @@ import package::dimensions::LIGHT_TRIANGLE;
 import package::directions::{circle, uniformSphere};
 import package::frame::{frameAround, toLocal, toWorld};
 import package::sampler::{Sampler, point};
-import package::scene::{PRIMITIVES, chooseLight, lightAt, lightBoundOf, shapeOf};
+import package::scene::{PRIMITIVES, factorsOf, chooseLight, lightAt, lightBoundOf, shapeOf};
+import package::mesh::uvs;
 import package::surface::Surface;
+import package::textures::colorAt;
 import package::tree::itemAt;
 
 const SPHERE_LIGHT = 0u;
@@ -192,6 +194,10 @@ fn sampleMesh(p: vec3f, light: Light, u: vec2f, pick: vec2f) -> LightSample {
   let at = squareToTriangle(u);
   var sample = fromArea(p, item.a + at.x * edge1 + at.y * edge2, front, light.size);
   sample.id = PRIMITIVES + slot;
+  @if(EMISSION_TEXTURES) {
+    let uv = (1.0 - at.x - at.y) * uvs[3u * slot] + at.x * uvs[3u * slot + 1u] + at.y * uvs[3u * slot + 2u];
+    sample.estimate *= colorAt(factorsOf(item.id).emissionTexture, uv);
+  }
   return sample;
 }
 

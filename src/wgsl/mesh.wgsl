@@ -3,14 +3,20 @@
 // [1] Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., section 6.8.4
 // [2] Keller et al. 2017, "The Iray Light Transport Simulation and Rendering System", appendix A.3
 // [3] Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2)
+import package::constants::NONE;
 import package::ray::{Hit, Ray};
-import package::scene::PRIMITIVES;
+import package::scene::{PRIMITIVES, factorsOf};
+import package::textures::dataAt;
 import package::tree::itemAt;
 
 // Of each triangle the normals of its three vertices, octahedral, two snorm16 each. By slot. Written by the renderer when the
 // geometry changes.
 @if(SMOOTH)
 @group(0) @binding(7) var<storage, read> normals: array<u32>;
+
+// Texture coordinates, likewise. Written by the renderer when the geometry changes.
+@if(TEXTURES)
+@group(0) @binding(9) var<storage, read> uvs: array<vec2f>;
 
 // [1] eq. 6.15 bounds the rounding of a point of barycentric coordinates by γ₇, 7 half ULP, of the sum below; a WGSL device
 // may round either way, which makes it 7 ULP, and what is added to the point is itself rounded once more.
@@ -29,8 +35,10 @@ struct MeshPoint {
   n: vec3f,
   // How far rays that leave from p must start off the surface, so that rounding puts none on its other side.
   clearance: f32,
-  // Interpolated, unit, on n's side.
-  @if(SMOOTH) shading: vec3f,
+  // Interpolated and bent by a texture, unit, on n's side.
+  @if(SHADING_NORMALS) shading: vec3f,
+  // Interpolated.
+  @if(TEXTURES) uv: vec2f,
 }
 
 fn meshPoint(ray: Ray, hit: Hit) -> MeshPoint {
@@ -61,17 +69,49 @@ fn meshPoint(ray: Ray, hit: Hit) -> MeshPoint {
   found.id = item.id;
   found.n = select(normal, -normal, item.isTurned);
   found.clearance = dot(abs(normal), error);
-  @if(SMOOTH) found.shading = shadingNormal(slot, weights, found.n);
+  @if(TEXTURES) found.uv = uvAt(slot, weights);
+  @if(SHADING_NORMALS) {
+    var shading = found.n;
+    @if(SMOOTH) shading = interpolatedNormal(slot, weights, found.n);
+    @if(NORMAL_TEXTURES) shading = texturedNormal(slot, found, shading, e1, e2);
+    found.shading = select(shading, -shading, dot(shading, found.n) < 0.0);
+  }
   return found;
 }
 
 @if(SMOOTH)
-fn shadingNormal(slot: u32, weights: vec3f, n: vec3f) -> vec3f {
+fn interpolatedNormal(slot: u32, weights: vec3f, n: vec3f) -> vec3f {
   let sum = weights.x * octahedral(normals[3u * slot]) + weights.y * octahedral(normals[3u * slot + 1u]) +
     weights.z * octahedral(normals[3u * slot + 2u]);
   let size = length(sum);
-  let shading = select(n, sum / size, size > 1e-6); // opposite normals may cancel out
-  return select(shading, -shading, dot(shading, n) < 0.0);
+  return select(n, sum / size, size > 1e-6); // opposite normals may cancel out
+}
+
+@if(TEXTURES)
+fn uvAt(slot: u32, weights: vec3f) -> vec2f {
+  return weights.x * uvs[3u * slot] + weights.y * uvs[3u * slot + 1u] + weights.z * uvs[3u * slot + 2u];
+}
+
+// The normal that a texture tells, in glTF's tangent space: x along growing u, y along falling v. e1 and e2 are the triangle's
+// edges from its first vertex, in any unit.
+@if(NORMAL_TEXTURES)
+fn texturedNormal(slot: u32, point: MeshPoint, n: vec3f, e1: vec3f, e2: vec3f) -> vec3f {
+  let factors = factorsOf(point.id);
+  let d1 = uvs[3u * slot + 1u] - uvs[3u * slot];
+  let d2 = uvs[3u * slot + 2u] - uvs[3u * slot];
+  let turn = sign(d1.x * d2.y - d1.y * d2.x);
+  let alongU = (e1 * d2.y - e2 * d1.y) * turn;
+  let alongV = (e2 * d1.x - e1 * d2.x) * turn;
+  let flat = alongU - dot(alongU, n) * n;
+  let size = length(flat);
+  // Where the texture is stretched over no area, it has no directions.
+  if (factors.normalTexture == NONE || size < 1e-12) { return n; }
+  let tangent = flat / size;
+  let side = cross(n, tangent);
+  let bitangent = select(side, -side, dot(side, alongV) > 0.0);
+  let told = 2.0 * dataAt(factors.normalTexture, point.uv) - 1.0;
+  let bent = factors.normalScale * (told.x * tangent + told.y * bitangent) + told.z * n;
+  return normalize(select(bent, n, dot(bent, bent) < 1e-12));
 }
 
 // Of a vertex without a normal: its triangles are flat.
@@ -89,7 +129,7 @@ fn octahedral(packed: u32) -> vec3f {
 
 // A shading normal may face away from a viewer who sees the triangle, or mirror him into it: he would see black. Bent just far
 // enough that the mirror direction leaves the surface. All unit; n on the viewer's side. [2]
-@if(SMOOTH)
+@if(SHADING_NORMALS)
 fn consistentNormal(shading: vec3f, n: vec3f, wo: vec3f) -> vec3f {
   let mirrored = reflect(-wo, shading);
   // What the mirror direction's cosine should be at least; less where the view itself is more grazing.

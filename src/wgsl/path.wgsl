@@ -58,7 +58,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     let next = bsdfSample(surface.bsdf, surface.wo, point(samples, dimensionAt(depth, DIRECTION)), choice.x);
     let wi = toWorld(surface.frame, next.wi);
     beta *= next.weight;
-    @if(SMOOTH) beta *= select(0.0, 1.0, dot(wi, surface.ng) > 0.0);
+    @if(SHADING_NORMALS) beta *= select(0.0, 1.0, dot(wi, surface.ng) > 0.0);
     pdf = next.pdf;
     let survival = select(min(max(max(beta.r, beta.g), beta.b), 1.0), 1.0, depth < ROULETTE_DEPTH);
     if (choice.y >= survival || all(beta == vec3f(0.0))) { break; }
@@ -87,7 +87,7 @@ fn oneLight(surface: Surface, samples: Sampler, dimension: u32, sampleCount: f32
   let f = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi));
   let weight = select(powerHeuristic(sampleCount * light.pdf, f.a), 1.0, light.pdf == 0.0);
   var reflected = f.rgb * light.estimate * weight;
-  @if(SMOOTH) reflected *= select(0.0, 1.0, dot(light.wi, surface.ng) > 0.0);
+  @if(SHADING_NORMALS) reflected *= select(0.0, 1.0, dot(light.wi, surface.ng) > 0.0);
   if (all(reflected == vec3f(0.0))) { return vec4f(vec3f(0.0), light.totalWeight); }
   countRay();
   let hidden = occluded(makeRay(surface.p, light.wi, surface.source), light.distance, light.id);

@@ -1,13 +1,14 @@
 // What a ray finds where it hits.
 import package::bsdf::{Bsdf, specularShare};
-import package::constants::{INSIDE};
+import package::constants::{INSIDE, NONE};
 import package::frame::{Frame, frameAround, toLocal};
 import package::lights::sphereLightPdf;
 import package::mesh::{MeshPoint, consistentNormal, meshPoint};
 import package::multiscatter::multiscatterGain;
 import package::ray::{Hit, Ray};
 import package::tree::itemAt;
-import package::scene::{F0Of, PRIMITIVES, alphaOf, anchorOf, diffuseOf, emissionOf, f0Of, f90Of, lightDensityOf, multiscatterOf, schlickBeckmannOf, shapeNormal, shapeOf};
+import package::textures::{colorAt, dataAt};
+import package::scene::{F0Of, PRIMITIVES, factorsOf, alphaOf, anchorOf, diffuseOf, emissionOf, f0Of, f90Of, lightDensityOf, multiscatterOf, schlickBeckmannOf, shapeNormal, shapeOf};
 
 // Packed by compile/packScene.ts, one per primitive.
 struct Material {
@@ -31,7 +32,7 @@ struct Surface {
   // n on the viewer's side.
   frame: Frame,
   // Of the surface itself, on the viewer's side, where n may be an interpolated one.
-  @if(SMOOTH) ng: vec3f,
+  @if(SHADING_NORMALS) ng: vec3f,
   // Towards the viewer, in the local frame.
   wo: vec3f,
   bsdf: Bsdf,
@@ -98,16 +99,19 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   surface.p = p;
   var facing = select(-n, n, front);
   @if(MESHES) surface.p = select(p, triangle.p + triangle.clearance * facing, isTriangle);
-  @if(SMOOTH) {
+  @if(SHADING_NORMALS) {
     surface.ng = facing;
     let shading = select(-triangle.shading, triangle.shading, front);
     facing = select(facing, consistentNormal(shading, facing, -ray.d), isTriangle);
   }
   surface.frame = frameAround(facing);
   surface.wo = toLocal(surface.frame, -ray.d);
-  surface.bsdf = bsdfOf(id, surface.wo.z);
+  var uv = vec2f(0.0);
+  @if(TEXTURES) uv = triangle.uv;
+  surface.bsdf = bsdfOf(id, surface.wo.z, uv);
   @if(EMISSION) {
     surface.Le = select(vec3f(0.0), emissionOf(id), front);
+    @if(EMISSION_TEXTURES) surface.Le *= colorAt(factorsOf(id).emissionTexture, uv);
     surface.lightPdf = lightPdf(lightDensityOf(id), shape, ray, hit.t, cosine);
   }
   surface.source = hit.id;
@@ -123,8 +127,9 @@ fn primitiveOf(id: u32) -> u32 {
   @if(!MESHES) return id;
 }
 
-// How a primitive scatters, seen under cosO. Reads only what the scene's materials make use of: every field costs a gather.
-fn bsdfOf(id: u32, cosO: f32) -> Bsdf {
+// How a primitive scatters, seen under cosO, at texture coordinates. Reads only what the scene's materials make use of: every
+// field costs a gather.
+fn bsdfOf(id: u32, cosO: f32, uv: vec2f) -> Bsdf {
   var bsdf: Bsdf;
   @if(DIFFUSE) bsdf.diffuse = diffuseOf(id);
   @if(SPECULAR) {
@@ -133,8 +138,24 @@ fn bsdfOf(id: u32, cosO: f32) -> Bsdf {
     bsdf.f90 = f90Of(id);
     bsdf.alpha = alphaOf(id);
   }
+  @if(MULTISCATTER) var multiscatter = multiscatterOf(id);
+  @if(SURFACE_TEXTURES) {
+    let factors = factorsOf(id);
+    let base = factors.baseColor * colorAt(factors.baseColorTexture, uv);
+    let data = dataAt(factors.metallicRoughnessTexture, uv);
+    let metallic = factors.metallic * data.b;
+    let roughness = factors.roughness * data.g;
+    @if(DIFFUSE) bsdf.diffuse = (1.0 - metallic) * base;
+    @if(SPECULAR) {
+      let isTextured = min(factors.baseColorTexture, factors.metallicRoughnessTexture) != NONE;
+      bsdf.F0 = select(bsdf.F0, mix(vec3f(bsdf.f0), base, metallic), isTextured);
+      // A texture makes no perfect mirrors: α stays at what compile/features.ts takes for one.
+      bsdf.alpha = select(bsdf.alpha, max(roughness * roughness, 0x1p-24), isTextured);
+    }
+    @if(MULTISCATTER) multiscatter *= data.b;
+  }
   @if(SMITH && SCHLICK_BECKMANN) bsdf.schlickBeckmann = schlickBeckmannOf(id);
-  @if(MULTISCATTER) bsdf.gain = multiscatterGain(cosO, bsdf.alpha, bsdf.F0 * multiscatterOf(id));
+  @if(MULTISCATTER) bsdf.gain = multiscatterGain(cosO, bsdf.alpha, bsdf.F0 * multiscatter);
   bsdf.specularShare = specularShare(bsdf, cosO);
   return bsdf;
 }

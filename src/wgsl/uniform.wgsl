@@ -35,7 +35,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     let next = bsdfSampleUniform(surface.bsdf, surface.wo, point(samples, dimensionAt(depth, DIRECTION)), choice.x);
     let wi = toWorld(surface.frame, next.wi);
     beta *= next.weight;
-    @if(SMOOTH) beta *= select(0.0, 1.0, dot(wi, surface.ng) > 0.0);
+    @if(SHADING_NORMALS) beta *= select(0.0, 1.0, dot(wi, surface.ng) > 0.0);
     counted = next.pdf > 0.0;
     if (all(beta == vec3f(0.0))) { break; }
     ray = makeRay(surface.p, wi, surface.source);
@@ -59,7 +59,7 @@ fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
 fn oneLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
   let light = sampleLight(surface, point(samples, dimension), trianglePick(samples, dimension));
   var reflected = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi)).rgb * light.estimate;
-  @if(SMOOTH) reflected *= select(0.0, 1.0, dot(light.wi, surface.ng) > 0.0);
+  @if(SHADING_NORMALS) reflected *= select(0.0, 1.0, dot(light.wi, surface.ng) > 0.0);
   if (all(reflected == vec3f(0.0))) { return vec3f(0.0); }
   countRay();
   return select(reflected, vec3f(0.0), occluded(makeRay(surface.p, light.wi, surface.source), light.distance, light.id));

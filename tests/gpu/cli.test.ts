@@ -5,6 +5,8 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { decode } from "fast-png";
 import { afterAll, describe, expect, test } from "vitest";
+import { triangleFile } from "../support/gltf";
+import { everythingFile } from "../support/gltfEverything";
 
 const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 const CORNELL = "tests/reference/scenes/cornell.json";
@@ -38,7 +40,8 @@ function figuresOf({ stdout }: Outcome): Record<string, unknown> {
 
 function sceneFile(name: string, scene: unknown): string {
   const path = join(folder, name);
-  writeFileSync(path, typeof scene === "string" ? scene : JSON.stringify(scene));
+  const isContent = typeof scene === "string" || scene instanceof Uint8Array;
+  writeFileSync(path, isContent ? scene : JSON.stringify(scene));
   return path;
 }
 
@@ -90,6 +93,21 @@ describe("npm run render, seed 7", () => {
     );
   });
 
+  test("takes a .glb with pictures in it, and says what it leaves out", async () => {
+    const out = join(folder, "glb.png");
+    const outcome = await render(
+      sceneFile("x.glb", everythingFile({ animations: [{}] })),
+      "--size",
+      "32x24",
+      "--out",
+      out,
+    );
+    expect(outcome.stderr).toBe("Animations are not supported: the pose at rest is shown\n");
+    expect(outcome.code).toBe(0);
+    const { data } = decode(readFileSync(out));
+    expect(new Set(data).size).toBeGreaterThan(10);
+  });
+
   test("stops at the target error", async () => {
     const outcome = await render(CORNELL, "--size", "32x32", "--samples", "4096", "--target-error", "0.2");
     expect(outcome.code).toBe(0);
@@ -107,6 +125,10 @@ describe("npm run render ends with exit code 1, a message and no file", () => {
     "for a faulty scene, naming every fault": {
       args: () => [sceneFile("broken.json", broken)],
       says: ["maxBounces: expected an integer from 0", 'objects[0].material: no material is named "nowhere"'],
+    },
+    "for half of a .glb": {
+      args: () => [sceneFile("half.glb", triangleFile().subarray(0, 300))],
+      says: ["half.glb is cut off: it should have"],
     },
     "for text that is not JSON": { args: () => [sceneFile("text.json", "not JSON")], says: ["text.json is not JSON"] },
     "for a file that is not there": { args: () => [join(folder, "none.json")], says: ["could not read", "none.json"] },

@@ -35,7 +35,7 @@ function loadedAtOnce(chunks: readonly Rollup.OutputChunk[]): Set<Rollup.OutputC
   return loaded;
 }
 
-test(`the package and its element take at most ${LIMIT_KB} kB, gzipped, without the panel`, {
+test(`the package and its element take at most ${LIMIT_KB} kB, gzipped, without the panel and the loaders`, {
   timeout: 60_000,
 }, async () => {
   const chunks = await bundle();
@@ -50,7 +50,9 @@ test(`the package and its element take at most ${LIMIT_KB} kB, gzipped, without 
   console.log([...lines, `${total.toFixed(1).padStart(6)} kB gzip  index.js + element.js`].join("\n"));
 
   expect(total).toBeLessThanOrEqual(LIMIT_KB);
-  const isPanelCode = (id: string) => /tweakpane|src\/panel\//.test(id);
-  expect([...atOnce].flatMap(({ moduleIds }) => moduleIds.filter(isPanelCode))).toEqual([]);
-  expect(chunks.flatMap(({ moduleIds }) => moduleIds).some(isPanelCode)).toBe(true);
+  for (const onDemand of [/tweakpane|src\/panel\//, /gltf-transform|src\/loaders\/gltf/, /meshoptimizer/, /draco/]) {
+    const isSo = (id: string) => onDemand.test(id);
+    expect([...atOnce].flatMap(({ moduleIds }) => moduleIds.filter(isSo))).toEqual([]);
+    expect(chunks.flatMap(({ moduleIds }) => moduleIds).some(isSo)).toBe(true);
+  }
 });

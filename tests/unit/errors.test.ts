@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
-import { RtViewerError, SceneError, UnsupportedError, WebGpuError } from "../../src/errors";
+import { LoadError, RtViewerError, SceneError, UnsupportedError, WebGpuError } from "../../src/errors";
 
 test("every error is an RtViewerError and says its own name", () => {
-  const errors = [new SceneError([]), new WebGpuError("no adapter"), new UnsupportedError("mesh")];
+  const errors = [new SceneError([]), new WebGpuError("no adapter"), new UnsupportedError("mesh"), new LoadError("x")];
   for (const error of errors) expect(error).toBeInstanceOf(RtViewerError);
-  expect(errors.map((error) => error.name)).toEqual(["SceneError", "WebGpuError", "UnsupportedError"]);
+  expect(errors.map((error) => error.name)).toEqual(["SceneError", "WebGpuError", "UnsupportedError", "LoadError"]);
   expect(new RtViewerError("x").name).toBe("RtViewerError");
 });
 

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { defineStruct, type StructFields } from "../../../src/compile/defineStruct";
-import { FRAME, LIGHT, MATERIAL, VIEW } from "../../../src/compile/layouts";
+import { FACTORS, FRAME, LIGHT, MATERIAL, TEXTURE, VIEW } from "../../../src/compile/layouts";
 import { layOut, parseStruct, readStruct } from "../../support/wgslStruct";
 
 /** Byte offset of every field, as `write` uses them: found by writing one field at a time. */
@@ -60,7 +60,9 @@ test("typed arrays are as good as arrays", () => {
 });
 
 const MIRRORED = [
+  ["Factors", "textures", FACTORS],
   ["Material", "surface", MATERIAL],
+  ["Texture", "textures", TEXTURE],
   ["Light", "lights", LIGHT],
   ["FrameUniforms", "uniforms", FRAME],
   ["View", "blit", VIEW],

@@ -1,0 +1,94 @@
+import { type BuildOptions, type Bvh, buildBvh } from "./buildBvh";
+import type { WorkerReply, WorkerRequest } from "./workerMessages";
+
+/** Fewer primitives are built in the thread: it takes no longer than a frame, and a worker takes as long to start. */
+export const MIN_WORKER_PRIMITIVES = 20_000;
+
+export type AsyncBuildOptions = BuildOptions & {
+  /** Ends the build; the promise is rejected with its reason. */
+  readonly signal?: AbortSignal;
+};
+
+/**
+ * `buildBvh` in a worker, so that a page stays responsive. Where there is none (in Node, or where a content security policy or a
+ * foreign origin forbids it), and for fewer primitives than `MIN_WORKER_PRIMITIVES`, it builds in the thread.
+ *
+ * @param bounds - as of `buildBvh`. They are given away: the worker takes their buffer, which is then detached.
+ * @throws what `buildBvh` throws, or the reason of `signal`.
+ */
+export async function buildBvhAsync(
+  bounds: Float32Array,
+  { signal, ...options }: AsyncBuildOptions = {},
+): Promise<Bvh> {
+  signal?.throwIfAborted();
+  const worker = bounds.length / 6 < MIN_WORKER_PRIMITIVES ? undefined : createWorker();
+  if (worker === undefined) return buildBvh(bounds, options);
+  try {
+    if (!(await isReady(worker, signal))) return buildBvh(bounds, options);
+    return await buildIn(worker, bounds, options, signal);
+  } finally {
+    worker.terminate();
+  }
+}
+
+function createWorker(): Worker | undefined {
+  if (typeof Worker === "undefined") return undefined;
+  try {
+    return new Worker(new URL("./bvhWorker.ts", import.meta.url), { type: "module" });
+  } catch {
+    return undefined; // of a foreign origin
+  }
+}
+
+/** Whether the worker has started; false if its script could not be loaded. Until then nothing is given away. */
+function isReady(worker: Worker, signal: AbortSignal | undefined): Promise<boolean> {
+  return untilAborted(signal, (resolve) => {
+    worker.onmessage = () => resolve(true);
+    worker.onerror = (event) => {
+      event.preventDefault(); // no error of the page's
+      resolve(false);
+    };
+  });
+}
+
+function buildIn(
+  worker: Worker,
+  bounds: Float32Array,
+  { maxLeaf, onProgress }: BuildOptions,
+  signal: AbortSignal | undefined,
+): Promise<Bvh> {
+  return untilAborted(signal, (resolve, reject) => {
+    worker.onmessage = ({ data }: MessageEvent<WorkerReply>) => {
+      if (data.type === "progress") onProgress?.(data.fraction);
+      else if (data.type === "built") resolve(data.bvh);
+      else if (data.type === "failed") reject(data.error);
+    };
+    worker.onerror = ({ message }) => reject(new Error(`The BVH's worker failed: ${message}`));
+    // Only a whole buffer can be given away, and not one that is shared.
+    const isWhole = bounds.buffer instanceof ArrayBuffer && bounds.byteLength === bounds.buffer.byteLength;
+    const request: WorkerRequest = { bounds: isWhole ? bounds : bounds.slice(), maxLeaf };
+    worker.postMessage(request, [request.bounds.buffer]);
+  });
+}
+
+function untilAborted<T>(
+  signal: AbortSignal | undefined,
+  start: (resolve: (value: T) => void, reject: (reason: unknown) => void) => void,
+): Promise<T> {
+  return new Promise((resolve, reject) => {
+    if (signal?.aborted) return reject(signal.reason);
+    const abort = () => reject(signal?.reason);
+    signal?.addEventListener("abort", abort, { once: true });
+    const done = () => signal?.removeEventListener("abort", abort);
+    start(
+      (value) => {
+        done();
+        resolve(value);
+      },
+      (reason) => {
+        done();
+        reject(reason);
+      },
+    );
+  });
+}

@@ -1,0 +1,92 @@
+// The entry `rt-viewer/gltf`: glTF 2.0 files as scenes.
+
+import type { Material, Scene } from "../scene/schema";
+import type { Bounds } from "./bounds";
+import { frameBounds, IDLE_CAMERA, setTable } from "./frameModel";
+import { checkReferences } from "./gltf/checkReferences";
+import { readContainer } from "./gltf/container";
+import { convertCamera } from "./gltf/convertCamera";
+import { convertLights, warnOfBrightness } from "./gltf/convertLights";
+import { Materials } from "./gltf/materials";
+import { placeNodes } from "./gltf/nodes";
+import { MeshPlacer } from "./gltf/placeMeshes";
+import { Resources } from "./gltf/resources";
+import { parseGltfJson } from "./gltf/schema";
+import { Textures } from "./gltf/textures";
+import { unpackAccessors } from "./gltf/unpackAccessors";
+import { checkExtensions, warnOfUnsupported } from "./gltf/unsupported";
+import type { LoadedScene, LoadOptions } from "./loadedScene";
+import { reportingAs } from "./reportingAs";
+import { Warnings } from "./warnings";
+
+export { LoadError } from "../errors";
+export type { DecodedImage, DecodeImage, LoadedScene, LoadOptions } from "./loadedScene";
+
+/**
+ * Makes a scene of a glTF 2.0 file, `.glb` or `.gltf`.
+ *
+ * The scene has the meshes in their places, surfaces with their textures, the point lights and the first camera. A file
+ * without a camera gets one that has everything in view; one that nothing lights gets a ground, a lamp and a dim sky. A file
+ * counts as lit if it has a light, or a material that emits without a texture: a texture only makes parts of a thing glow.
+ * Light's units are taken one to one: 1 cd is 1 W·sr⁻¹, and an emission of 1 is 1 W·sr⁻¹·m⁻².
+ *
+ * @param bytes - of the file; not kept, not changed.
+ * @throws {LoadError} if the file is damaged or truncated, needs something that is not supported, or is too large: 8 million
+ *   triangles, 67 million texels. Nothing else is thrown, but the signal's reason.
+ */
+export async function loadGltf(bytes: Uint8Array, options: LoadOptions = {}): Promise<LoadedScene> {
+  return reportingAs(options.name ?? "the file", options.signal, () => convert(bytes, options));
+}
+
+async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedScene> {
+  const { signal, decodeImage } = options;
+  const warnings = new Warnings();
+  const { json: untrusted, binary } = readContainer(bytes);
+  const json = parseGltfJson(untrusted);
+  checkExtensions(json, warnings);
+  checkReferences(json);
+  warnOfUnsupported(json, warnings);
+
+  const resources = new Resources(json, binary, options);
+  const accessors = await unpackAccessors(json, resources);
+  signal?.throwIfAborted();
+  const textures = new Textures(json);
+  const materials = new Materials(json, textures, warnings);
+  const placer = new MeshPlacer(json, accessors, materials);
+  const nodes = placeNodes(json);
+  for (const node of nodes) placer.place(node);
+  const { objects, bounds } = placer;
+  if (bounds.isEmpty) warnings.add("The file has no triangles, so there is nothing to see");
+
+  const camera = convertCamera(json, nodes, bounds, warnings) ?? (bounds.isEmpty ? IDLE_CAMERA : frameBounds(bounds));
+  const lights = convertLights(json, nodes, warnings);
+  warnOfBrightness(lights, bounds, warnings);
+  const scene: Scene = {
+    camera,
+    materials: materials.all,
+    textures: await textures.decode(resources, decodeImage),
+    objects,
+    lights,
+  };
+  signal?.throwIfAborted();
+  const isLit = lights.length > 0 || Object.values(materials.all).some(isLamp);
+  return { scene: isLit || bounds.isEmpty ? scene : onTable(scene, bounds), warnings: warnings.list() };
+}
+
+function isLamp({ emission, emissionTexture }: Material): boolean {
+  return emission !== undefined && emissionTexture === undefined;
+}
+
+function onTable(scene: Scene, bounds: Bounds): Scene {
+  const { materials = {}, objects } = scene;
+  let name = "ground";
+  while (Object.hasOwn(materials, name)) name += "'";
+  const { ground, groundMaterial, light, environment } = setTable(bounds, name);
+  return {
+    ...scene,
+    materials: { ...materials, [name]: groundMaterial },
+    objects: [...objects, ground],
+    lights: [light],
+    environment,
+  };
+}

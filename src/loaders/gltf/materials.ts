@@ -1,0 +1,157 @@
+// Surfaces: glTF's metallic-roughness model is ours, so most of this is names and defaults.
+
+import { show } from "../../scene/describe";
+import type { Material, Rgb } from "../../scene/schema";
+import type { Warnings } from "../warnings";
+import type { GltfJson } from "./schema";
+import { type CoordinateSource, coordinateSource, isSameSource } from "./textureCoordinates";
+import type { Textures } from "./textures";
+
+type GltfMaterial = GltfJson["materials"][number];
+type TextureField = "baseColorTexture" | "normalTexture" | "metallicRoughnessTexture" | "emissionTexture";
+type Slot = readonly [field: TextureField, texture: NonNullable<GltfMaterial["emissiveTexture"]> | undefined];
+
+/** A material for one mesh. */
+export type ChosenMaterial = {
+  readonly name: string;
+  /** What its textures are to be looked up with; `undefined` if it has none. */
+  readonly coordinates?: CoordinateSource;
+};
+
+/** glTF 2.0, 3.9.6: what has no material is like this. */
+const DEFAULT: GltfMaterial = {};
+
+/** Makes the materials that meshes turn out to need. */
+export class Materials {
+  readonly #json: GltfJson;
+  readonly #textures: Textures;
+  readonly #warnings: Warnings;
+  readonly #made: Record<string, Material> = Object.create(null);
+  readonly #chosen = new Map<string, ChosenMaterial>();
+
+  constructor(json: GltfJson, textures: Textures, warnings: Warnings) {
+    this.#json = json;
+    this.#textures = textures;
+    this.#warnings = warnings;
+  }
+
+  /** The materials chosen so far, by name. */
+  get all(): Readonly<Record<string, Material>> {
+    return this.#made;
+  }
+
+  /**
+   * The material of a mesh. A mesh without texture coordinates gets one without textures.
+   *
+   * @param index - in the file; `undefined` for the default.
+   * @param sets - the mesh's sets of texture coordinates.
+   */
+  choose(index: number | undefined, sets: { has(set: number): boolean }): ChosenMaterial {
+    const material = this.#json.materials[index ?? -1] ?? DEFAULT;
+    const place = index === undefined ? "the default material" : placeOf("materials", index, material.name);
+    const shown: Partial<Record<TextureField, string>> = {};
+    let coordinates: CoordinateSource | undefined;
+    for (const [field, texture] of slotsOf(material)) {
+      if (texture === undefined) continue;
+      const source = coordinateSource(texture);
+      if (!sets.has(source.set)) {
+        this.#warnings.add("A texture is left out on meshes that lack its texture coordinates", `${place}, ${field}`);
+      } else if (coordinates !== undefined && !isSameSource(coordinates, source)) {
+        this.#warnings.add(
+          "A texture is left out because its texture coordinates or KHR_texture_transform differ from another's of the material",
+          `${place}, ${field}`,
+        );
+      } else {
+        const name = this.#textures.use(texture.index);
+        if (name === undefined)
+          this.#warnings.add("A texture is left out because it has no picture that can be read", place);
+        else {
+          shown[field] = name;
+          coordinates = source;
+        }
+      }
+    }
+    return this.#make(index, material, place, shown, coordinates);
+  }
+
+  #make(
+    index: number | undefined,
+    material: GltfMaterial,
+    place: string,
+    textures: Partial<Record<TextureField, string>>,
+    coordinates: CoordinateSource | undefined,
+  ): ChosenMaterial {
+    const key = JSON.stringify([index, textures]);
+    const known = this.#chosen.get(key);
+    if (known !== undefined) return known;
+    const wanted = material.name || (index === undefined ? "default" : `material ${index}`);
+    const name = freeName(wanted, this.#made, this.#chosen.size);
+    this.#made[name] = { ...this.#factors(material, place), ...textures };
+    const chosen = { name, ...(coordinates !== undefined && { coordinates }) };
+    this.#chosen.set(key, chosen);
+    return chosen;
+  }
+
+  #factors(material: GltfMaterial, place: string): Material {
+    const {
+      baseColorFactor = [1, 1, 1, 1],
+      metallicFactor = 1,
+      roughnessFactor = 1,
+    } = material.pbrMetallicRoughness ?? {};
+    const { normalTexture, alphaMode = "OPAQUE", doubleSided } = material;
+    const emission = emissionOf(material);
+    if (alphaMode !== "OPAQUE")
+      this.#warnings.add(`alphaMode ${alphaMode} is not supported: it is shown opaque`, place);
+    if (doubleSided && isEmissive(emission)) {
+      this.#warnings.add("A double-sided material emits from its front only", place);
+    }
+    const ior = material.extensions?.KHR_materials_ior?.ior ?? 1.5;
+    if (ior < 1) this.#warnings.add(`KHR_materials_ior: ${ior} is not supported: 1.5 takes its place`, place);
+    return {
+      baseColor: baseColorFactor.slice(0, 3).map(toFraction) as unknown as Rgb,
+      metallic: toFraction(metallicFactor),
+      roughness: toFraction(roughnessFactor),
+      ...(ior >= 1 && { ior }),
+      ...(isEmissive(emission) && { emission }),
+      ...(normalTexture?.scale !== undefined && { normalScale: normalTexture.scale }),
+    };
+  }
+}
+
+/** In the order in which they decide what the texture coordinates are. */
+function slotsOf(material: GltfMaterial): Slot[] {
+  const { baseColorTexture, metallicRoughnessTexture } = material.pbrMetallicRoughness ?? {};
+  const { normalTexture, emissiveTexture } = material;
+  return [
+    ["baseColorTexture", baseColorTexture],
+    ["normalTexture", normalTexture],
+    ["metallicRoughnessTexture", metallicRoughnessTexture],
+    ["emissionTexture", isEmissive(emissionOf(material)) ? emissiveTexture : undefined],
+  ];
+}
+
+/** Radiance: emission of strength 1 is 1 W·sr⁻¹·m⁻². */
+function emissionOf({ emissiveFactor = [0, 0, 0], extensions }: GltfMaterial): Rgb {
+  const strength = extensions?.KHR_materials_emissive_strength?.emissiveStrength ?? 1;
+  return emissiveFactor.map((channel) => channel * strength) as unknown as Rgb;
+}
+
+function isEmissive(emission: Rgb): boolean {
+  return emission.some((channel) => channel > 0);
+}
+
+function toFraction(value: number): number {
+  return Math.min(1, Math.max(0, value));
+}
+
+/** `materials[3] "Glass"`. */
+export function placeOf(list: string, index: number, name: string | undefined): string {
+  return `${list}[${index}]${name ? ` ${show(name)}` : ""}`;
+}
+
+/** The count is where to look first, so that a thousand materials of one name take a thousand looks. */
+function freeName(wanted: string, taken: Readonly<Record<string, unknown>>, takenCount: number): string {
+  let name = wanted;
+  for (let i = takenCount + 1; name in taken; i++) name = `${wanted} ${i}`;
+  return name;
+}

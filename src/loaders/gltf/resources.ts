@@ -1,0 +1,73 @@
+// The bytes of buffers and pictures, wherever they are: in the .glb, in the JSON, or in files of their own.
+
+import { LoadError } from "../../errors";
+import { fetchBytes } from "../fetchBytes";
+import type { LoadOptions } from "../loadedScene";
+import type { GltfJson } from "./schema";
+
+/** Reads what a glTF file is made of. Every method rejects with a `LoadError` that says which part is not there. */
+export class Resources {
+  readonly #json: GltfJson;
+  readonly #binary: Uint8Array | undefined;
+  readonly #options: LoadOptions;
+  /** By URI: what several parts share is read once. */
+  readonly #files = new Map<string, Promise<Uint8Array>>();
+
+  constructor(json: GltfJson, binary: Uint8Array | undefined, options: LoadOptions) {
+    this.#json = json;
+    this.#binary = binary;
+    this.#options = options;
+  }
+
+  /** At least `byteLength` bytes. */
+  async buffer(index: number): Promise<Uint8Array> {
+    const { uri, byteLength } = this.#json.buffers[index]!;
+    const path = `buffers[${index}]`;
+    if (uri === undefined && this.#binary === undefined) throw new LoadError(`${path}: has no data`);
+    const bytes = uri === undefined ? this.#binary! : await this.#file(uri, path);
+    if (bytes.length >= byteLength) return bytes;
+    throw new LoadError(`${path}: should have ${byteLength} bytes and has ${bytes.length}`);
+  }
+
+  /** The bytes of a picture file; part of a larger array, maybe. */
+  async image(index: number): Promise<Uint8Array> {
+    const { uri, bufferView } = this.#json.images[index]!;
+    if (bufferView === undefined) return this.#file(uri!, `images[${index}]`);
+    const view = this.#json.bufferViews[bufferView]!;
+    const bytes = await this.buffer(view.buffer);
+    return bytes.subarray(view.byteOffset, view.byteOffset + view.byteLength);
+  }
+
+  #file(uri: string, path: string): Promise<Uint8Array> {
+    const known = this.#files.get(uri);
+    if (known !== undefined) return known;
+    const bytes = this.#read(uri).catch((cause: unknown) => {
+      this.#options.signal?.throwIfAborted();
+      throw new LoadError(`${path}: ${cause instanceof Error ? cause.message : cause}`, { cause });
+    });
+    this.#files.set(uri, bytes);
+    return bytes;
+  }
+
+  async #read(uri: string): Promise<Uint8Array> {
+    if (/^data:/i.test(uri)) return decodeDataUri(uri);
+    const { baseUrl, fetchResource = fetchBytes, signal } = this.#options;
+    return fetchResource(baseUrl === undefined ? uri : new URL(uri, baseUrl).href, signal);
+  }
+}
+
+/** Decoded here and not by `fetch`, which a page's content security policy may keep from `data:`. */
+function decodeDataUri(uri: string): Uint8Array {
+  const comma = uri.indexOf(",");
+  const payload = uri.slice(comma + 1);
+  if (comma < 0 || !uri.slice(0, comma).endsWith(";base64")) throw new LoadError("expected a data URI in base64");
+  let text: string;
+  try {
+    text = atob(payload);
+  } catch (cause) {
+    throw new LoadError("its data URI is not base64", { cause });
+  }
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}

@@ -1,0 +1,79 @@
+// Vertices from the space of a mesh to the world's. A matrix is 16 doubles by columns.
+
+/** Whether a matrix changes nothing. */
+export function isIdentity(m: Float64Array): boolean {
+  return m.every((value, i) => value === (i % 5 === 0 ? 1 : 0));
+}
+
+/** Whether a matrix mirrors: what ran counter-clockwise then runs clockwise. */
+export function isMirror(m: Float64Array): boolean {
+  const [a, b, c] = cofactors(m);
+  return m[0]! * a! + m[1]! * b! + m[2]! * c! < 0;
+}
+
+/** World positions, in doubles: far from the origin, floats would bend the shape. */
+export function transformPositions(positions: Float32Array, m: Float64Array): Float64Array {
+  const [m0, m1, m2, , m4, m5, m6, , m8, m9, m10, , m12, m13, m14] = m as unknown as number[];
+  const out = new Float64Array(positions.length);
+  for (let i = 0; i < out.length; i += 3) {
+    const x = positions[i]!;
+    const y = positions[i + 1]!;
+    const z = positions[i + 2]!;
+    out[i] = m0! * x + m4! * y + m8! * z + m12!;
+    out[i + 1] = m1! * x + m5! * y + m9! * z + m13!;
+    out[i + 2] = m2! * x + m6! * y + m10! * z + m14!;
+  }
+  return out;
+}
+
+/**
+ * Normals by the cofactors, which are the inverse transpose times the determinant: where a matrix flattens, they still
+ * point across the plane. Of a mirror they would point inwards, so then they are turned.
+ *
+ * @returns unit vectors; zero where a normal is zero.
+ */
+export function transformNormals(normals: Float32Array, m: Float64Array): Float32Array {
+  const sign = isMirror(m) ? -1 : 1;
+  const [c0, c1, c2, c3, c4, c5, c6, c7, c8] = cofactors(m);
+  const out = new Float32Array(normals.length);
+  for (let i = 0; i < out.length; i += 3) {
+    const x = normals[i]!;
+    const y = normals[i + 1]!;
+    const z = normals[i + 2]!;
+    const nx = c0! * x + c3! * y + c6! * z;
+    const ny = c1! * x + c4! * y + c7! * z;
+    const nz = c2! * x + c5! * y + c8! * z;
+    const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+    const scale = length > 0 ? sign / length : 0;
+    out[i] = nx * scale;
+    out[i + 1] = ny * scale;
+    out[i + 2] = nz * scale;
+  }
+  return out;
+}
+
+/** The triangles seen from their other side. */
+export function flipWinding(indices: Uint32Array): Uint32Array {
+  const out = indices.slice();
+  for (let i = 0; i < out.length; i += 3) {
+    out[i + 1] = indices[i + 2]!;
+    out[i + 2] = indices[i + 1]!;
+  }
+  return out;
+}
+
+/** Of the upper left 3 × 3, by columns. */
+function cofactors(m: Float64Array): readonly number[] {
+  const [a, b, c, , d, e, f, , g, h, i] = m as unknown as number[];
+  return [
+    e! * i! - f! * h!,
+    f! * g! - d! * i!,
+    d! * h! - e! * g!,
+    h! * c! - i! * b!,
+    i! * a! - g! * c!,
+    g! * b! - h! * a!,
+    b! * f! - c! * e!,
+    c! * d! - a! * f!,
+    a! * e! - b! * d!,
+  ];
+}

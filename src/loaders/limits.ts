@@ -1,0 +1,16 @@
+// How much a file may ask for. A few bytes can claim anything, so this is checked before memory is taken.
+
+/** After instancing. A million is a large model on the web; these take half a gigabyte. */
+export const MAX_TRIANGLES = 2 ** 23;
+/** After instancing. */
+export const MAX_VERTICES = 2 ** 24;
+/** Of all pictures together: 256 MiB. */
+export const MAX_TEXELS = 2 ** 26;
+/** What all vertex data of a file may unpack to, and all its picture files together. Parts can share bytes, so it can be more than the file has. */
+export const MAX_UNPACKED_BYTES = 2 ** 30;
+/** Meshes in the scene, after instancing. */
+export const MAX_OBJECTS = 2 ** 17;
+/** From the origin, in metres. Light-years are 1e16. */
+export const MAX_DISTANCE = 1e15;
+/** Of a number per vertex. With the transforms that it may go through it stays within what a scene allows, 1e18. */
+export const MAX_VERTEX_VALUE = 1e12;

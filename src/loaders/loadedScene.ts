@@ -1,0 +1,35 @@
+import type { Scene } from "../scene/schema";
+
+/** What a file became. */
+export type LoadedScene = {
+  readonly scene: Scene;
+  /** What the file has that is not shown, or not as it should be: one sentence each. Empty if the scene is all of it. */
+  readonly warnings: readonly string[];
+};
+
+/** A picture: RGBA, four bytes per texel, not premultiplied by alpha, colours as stored in the file; rows from the top. */
+export type DecodedImage = {
+  readonly width: number;
+  readonly height: number;
+  readonly texels: Uint8Array | Uint8ClampedArray;
+};
+
+/**
+ * Decodes a picture file.
+ *
+ * @param mimeType - as its first bytes have it: `image/png`, `image/jpeg`, `image/webp` or `image/avif`.
+ * @throws anything, if it cannot.
+ */
+export type DecodeImage = (bytes: Uint8Array, mimeType: string) => Promise<DecodedImage>;
+
+export type LoadOptions = {
+  /** What the file is called in errors. Default "the file". */
+  readonly name?: string;
+  /** The file's own address: what it refers to is resolved against it. Without one, `fetchResource` gets what the file says. */
+  readonly baseUrl?: string;
+  readonly signal?: AbortSignal;
+  /** Reads a file that the scene refers to. Default: the page's `fetch`. */
+  readonly fetchResource?: (url: string, signal: AbortSignal | undefined) => Promise<Uint8Array>;
+  /** Default: the browser's decoder; where there is none, a file with pictures needs one to be given. */
+  readonly decodeImage?: DecodeImage;
+};

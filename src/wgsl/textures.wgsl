@@ -1,0 +1,86 @@
+// Textures of meshes, filtered here: texels are in one buffer, so that pictures of any size and number need one binding, and
+// nothing is scaled. Level 0 only: a pixel's samples filter it.
+import package::constants::NONE;
+import package::scene::{factorsOf, textureOf};
+
+// Red, green, blue, alpha of all textures, a byte each from the lowest on; rows from the top. Written by the renderer when the
+// geometry changes.
+@if(TEXTURES)
+@group(0) @binding(10) var<storage, read> texels: array<u32>;
+
+// One texture, packed by compile/packTextures.ts.
+struct Texture {
+  // Width, height, index of the first texel.
+  place: vec3u,
+  // What lies left and right, above and below: WRAP_REPEAT, WRAP_MIRROR or WRAP_CLAMP.
+  wrapU: u32,
+  wrapV: u32,
+  // 1 to take the nearest texel, 0 to interpolate.
+  nearest: u32,
+}
+
+const WRAP_REPEAT = 0u;
+const WRAP_MIRROR = 1u;
+
+// What the textures of a primitive multiply, and which they are: NONE for none. Packed by compile/packTextures.ts.
+struct Factors {
+  baseColor: vec3f,
+  metallic: f32,
+  roughness: f32,
+  normalScale: f32,
+  baseColorTexture: u32,
+  metallicRoughnessTexture: u32,
+  emissionTexture: u32,
+  normalTexture: u32,
+}
+
+// A colour, from sRGB.
+@if(TEXTURES)
+fn colorAt(texture: u32, uv: vec2f) -> vec3f {
+  if (texture == NONE) { return vec3f(1.0); }
+  return filtered(textureOf(texture), uv, true);
+}
+
+// Data, as it is.
+@if(TEXTURES)
+fn dataAt(texture: u32, uv: vec2f) -> vec3f {
+  if (texture == NONE) { return vec3f(1.0); }
+  return filtered(textureOf(texture), uv, false);
+}
+
+@if(TEXTURES)
+fn filtered(texture: Texture, uv: vec2f, isColor: bool) -> vec3f {
+  let size = vec2f(texture.place.xy);
+  let place = vec2f(fold(uv.x, texture.wrapU), fold(uv.y, texture.wrapV)) * size - 0.5;
+  let corner = floor(select(place, place + 0.5, texture.nearest == 1u));
+  let share = select(place - corner, vec2f(0.0), texture.nearest == 1u);
+  let x = vec2u(column(corner.x, texture.place.x, texture.wrapU), column(corner.x + 1.0, texture.place.x, texture.wrapU));
+  let y = vec2u(column(corner.y, texture.place.y, texture.wrapV), column(corner.y + 1.0, texture.place.y, texture.wrapV));
+  let rows = texture.place.z + y * texture.place.x;
+  let upper = mix(valueOf(texels[rows.x + x.x], isColor), valueOf(texels[rows.x + x.y], isColor), share.x);
+  let lower = mix(valueOf(texels[rows.y + x.x], isColor), valueOf(texels[rows.y + x.y], isColor), share.x);
+  return mix(upper, lower, share.y);
+}
+
+// A texture coordinate within 0…1.
+fn fold(u: f32, wrap: u32) -> f32 {
+  let mirrored = 1.0 - abs(2.0 * fract(0.5 * u) - 1.0);
+  return select(select(saturate(u), mirrored, wrap == WRAP_MIRROR), fract(u), wrap == WRAP_REPEAT);
+}
+
+// A column or row, of which one past either end may be asked for.
+fn column(i: f32, count: u32, wrap: u32) -> u32 {
+  let last = f32(count) - 1.0;
+  let other = select(select(i, 0.0, i > last), last, i < 0.0);
+  return u32(select(clamp(i, 0.0, last), other, wrap == WRAP_REPEAT));
+}
+
+fn valueOf(texel: u32, isColor: bool) -> vec3f {
+  let value = unpack4x8unorm(texel).rgb;
+  return select(value, linearOf(value), isColor);
+}
+
+// sRGB, IEC 61966-2-1.
+fn linearOf(c: vec3f) -> vec3f {
+  return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
+}

@@ -1,0 +1,300 @@
+import { describe, expect, test } from "vitest";
+import { decodeImage } from "../../../src/cli/decodeImage";
+import { loadGltf } from "../../../src/loaders/gltf";
+import { loadScene } from "../../../src/loaders/loadScene";
+import { parseScene } from "../../../src/scene/parseScene";
+import { container, glb, meshesOf, type Packer, type TriangleJson, triangleFile } from "../../support/gltf";
+import { everythingFile } from "../../support/gltfEverything";
+import { createRandom } from "../../support/random";
+
+// Each of these takes a few milliseconds; one that began to do what the file asks for would take seconds, or the memory.
+const QUICK_MS = 1000;
+
+/** What is said of a file, or "" if it is read. */
+async function complaintAbout(bytes: Uint8Array): Promise<string> {
+  const start = performance.now();
+  try {
+    const { scene } = await loadGltf(bytes, { name: "x.glb", decodeImage });
+    parseScene(scene);
+    return "";
+  } catch (error) {
+    expect(error).toMatchObject({ name: "LoadError" });
+    expect((error as Error).message.length).toBeLessThan(300);
+    return (error as Error).message;
+  } finally {
+    expect(performance.now() - start).toBeLessThan(QUICK_MS);
+  }
+}
+
+describe("what the JSON says and the file does not have", () => {
+  type Change = (json: TriangleJson, packer: Packer) => void;
+  const cases: Readonly<Record<string, readonly [Change, string]>> = {
+    "a count of 2³²": [(_, { accessors }) => Object.assign(accessors[0]!, { count: 2 ** 32 }), "accessors[0].count"],
+    "a count past the data": [
+      (_, { accessors }) => Object.assign(accessors[0]!, { count: 4 }),
+      "accessors[0]: ends at byte 48",
+    ],
+    "an offset past the data": [
+      (_, { accessors }) => Object.assign(accessors[0]!, { byteOffset: 2 ** 53 }),
+      "accessors[0]: ends at byte",
+    ],
+    "a negative offset": [
+      (_, { accessors }) => Object.assign(accessors[0]!, { byteOffset: -4 }),
+      "accessors[0].byteOffset: expected >=0, got -4",
+    ],
+    "a view past its buffer": [
+      (_, { bufferViews }) => Object.assign(bufferViews[0]!, { byteOffset: 4 }),
+      "bufferViews[0]: ends at byte 40 of a buffer of 36",
+    ],
+    "a stride past its view": [
+      (_, { bufferViews }) => Object.assign(bufferViews[0]!, { byteStride: 252 }),
+      "accessors[0]: ends at byte 516",
+    ],
+    "a buffer larger than the file": [
+      (json) => Object.assign(json, { buffers: [{ byteLength: 1e15 }] }),
+      "buffers[0]: should",
+    ],
+    "no data for an accessor": [
+      (_, { accessors }) => Object.assign(accessors[0]!, { bufferView: undefined }),
+      "accessors[0]: has no bufferView, so no data",
+    ],
+    "a mesh that is not there": [(json) => Object.assign(json.nodes[0], { mesh: 7 }), "nodes[0].mesh: expected"],
+    "a fraction for an index": [
+      (json) => Object.assign(json.nodes[0], { mesh: 0.5 }),
+      "nodes[0].mesh: expected integer",
+    ],
+    "an attribute that is not there": [
+      (json) => Object.assign(json.meshes[0].primitives[0].attributes, { NORMAL: 9 }),
+      "meshes[0].primitives[0].attributes.NORMAL: expected",
+    ],
+    "fewer normals than positions": [
+      (json, packer) => {
+        json.meshes[0].primitives[0].attributes.NORMAL = packer.add(new Float32Array(6), "VEC3");
+      },
+      "meshes[0].primitives[0]: has 3 positions, but 2 of NORMAL",
+    ],
+    "positions that are not numbers": [
+      (json, packer) => {
+        json.meshes[0].primitives[0].attributes.POSITION = packer.add(new Float32Array(9).fill(NaN), "VEC3");
+      },
+      "meshes[0].primitives[0].attributes.POSITION: number 0 is NaN",
+    ],
+    "an index of no vertex": [
+      (json, packer) => {
+        json.meshes[0].primitives[0].indices = packer.add(Uint32Array.of(0, 1, 0xffffffff), "SCALAR");
+      },
+      "meshes[0].primitives[0].indices: vertex 4294967295 is not one of 3",
+    ],
+    "indices that are floats": [
+      (json, packer) => {
+        json.meshes[0].primitives[0].indices = packer.add(new Float32Array(3), "SCALAR");
+      },
+      "accessors[1]: expected unsigned integers",
+    ],
+    "a node that is its own child": [
+      (json) => Object.assign(json, { nodes: [{ children: [0] }], scenes: [{ nodes: [] }] }),
+      "nodes[0]: is its own ancestor",
+    ],
+    "a ring of nodes": [
+      (json) => Object.assign(json, { nodes: [{ children: [1] }, { children: [2] }, { children: [0] }], scenes: [] }),
+      "is its own ancestor",
+    ],
+    "a node of two parents": [
+      (json) => json.nodes.push({ children: [0] }, { children: [0] }),
+      "nodes[0]: is a child of both nodes[1] and nodes[2]",
+    ],
+    "a scale beyond reckoning": [
+      (json) => Object.assign(json.nodes[0], { scale: [1e18, 1, 1] }),
+      "nodes[0]: its place or scale in the world is larger",
+    ],
+    "an extension that it requires": [
+      (json) => Object.assign(json, { extensionsRequired: ["KHR_texture_basisu"] }),
+      'x.glb requires "KHR_texture_basisu", which is not supported',
+    ],
+    "the wrong version": [(json) => Object.assign(json, { asset: { version: "1.0" } }), "x.glb is glTF of version 1.0"],
+    "numbers for lists": [(json) => Object.assign(json, { nodes: 5 }), "x.glb: nodes: expected Array, got 5"],
+    "nothing for a node": [
+      (json) => Object.assign(json, { nodes: [null] }),
+      "x.glb: nodes[0]: expected Object, got null",
+    ],
+    "a picture that is a lie": [
+      (json, packer) => {
+        json.materials = [{ normalTexture: { index: 0 } }];
+        json.textures = [{ source: 0 }];
+        json.images = [{ uri: "data:image/png;base64,%%%" }];
+        json.meshes[0].primitives[0].material = 0;
+        json.meshes[0].primitives[0].attributes.TEXCOORD_0 = packer.add(new Float32Array(6), "VEC2");
+      },
+      "images[0]: its data URI is not base64",
+    ],
+    "a meshopt view of 2³² bytes": [
+      (_, { bufferViews }) => {
+        const packed = { buffer: 0, byteLength: 36, byteStride: 256, count: 2 ** 24, mode: "ATTRIBUTES" };
+        Object.assign(bufferViews[0]!, { byteLength: 2 ** 32, extensions: { EXT_meshopt_compression: packed } });
+      },
+      "bufferViews[0]: ends at byte 4294967296",
+    ],
+  };
+
+  test.each(Object.keys(cases))("%s", async (name) => {
+    const [change, complaint] = cases[name]!;
+    expect(await complaintAbout(triangleFile(change))).toContain(complaint);
+  });
+
+  test("a key of a prototype is no attribute, and no resource", async () => {
+    const file = triangleFile((json) => {
+      json.meshes[0].primitives[0].attributes = JSON.parse('{"POSITION": 0, "__proto__": 0, "constructor": 0}');
+    });
+    await complaintAbout(file);
+    for (const uri of ["__proto__", "constructor", "toString"]) {
+      const text = JSON.stringify({ asset: { version: "2.0" }, buffers: [{ uri, byteLength: 1 }] });
+      await complaintAbout(new TextEncoder().encode(text));
+    }
+    expect(Reflect.has({}, "POSITION")).toBe(false);
+  });
+});
+
+describe("a small file that would become a large scene", () => {
+  test("by a mesh in a hundred thousand places", async () => {
+    const file = triangleFile((json, packer) => {
+      const indices = new Uint8Array(300);
+      json.meshes[0].primitives[0].indices = packer.add(indices, "SCALAR");
+      json.nodes = Array.from({ length: 100_000 }, () => ({ mesh: 0 }));
+      json.scenes = [{ nodes: [...json.nodes.keys()] }];
+    });
+    expect(await complaintAbout(file)).toContain("x.glb has more than 8388608 triangles");
+  });
+
+  test("by accessors that share bytes", async () => {
+    const file = triangleFile((json, packer) => {
+      const view = packer.addView(new Uint8Array(60_000));
+      const count = 5_000;
+      packer.accessors.push(
+        ...Array.from({ length: 30_000 }, () => ({ bufferView: view, componentType: 5126, type: "VEC3", count })),
+      );
+      json.meshes[0].primitives = Array.from({ length: 30_000 }, (_, i) => ({ attributes: { POSITION: i + 1 } }));
+    });
+    expect(await complaintAbout(file)).toContain("x.glb has meshes that would unpack to 1800000000 bytes");
+  });
+
+  test("by primitives that share one large array, all of it or its two ends", async () => {
+    const shared = (isIndexed: boolean) =>
+      triangleFile((json, packer) => {
+        const POSITION = packer.add(new Float32Array(3 * 50_000), "VEC3");
+        const ends = packer.add(Uint16Array.of(0, 1, 49_999), "SCALAR");
+        const primitive = { attributes: { POSITION }, ...(isIndexed && { indices: ends }) };
+        json.meshes[0].primitives = Array.from({ length: 20_000 }, () => primitive);
+      });
+    for (const isIndexed of [false, true]) {
+      expect(await complaintAbout(shared(isIndexed))).toContain("x.glb has more than 16777216 vertices");
+    }
+  });
+
+  test("by a chain of a hundred thousand nodes, which is only deep", async () => {
+    const file = triangleFile((json) => {
+      json.nodes = Array.from({ length: 100_000 }, (_, i) => (i < 99_999 ? { children: [i + 1] } : { mesh: 0 }));
+    });
+    expect(await complaintAbout(file)).toBe("");
+  });
+});
+
+describe("a broken container", () => {
+  const file = triangleFile();
+  const patched = (offset: number, word: number) => {
+    const bytes = file.slice();
+    new DataView(bytes.buffer).setUint32(offset, word, true);
+    return bytes;
+  };
+  const cases: Readonly<Record<string, readonly [Uint8Array, string]>> = {
+    "nothing at all": [new Uint8Array(), "x.glb is not JSON"],
+    "the magic alone": [file.subarray(0, 4), "x.glb is cut off after 4 bytes"],
+    "half of it": [file.subarray(0, file.length / 2), "x.glb is cut off: it should have"],
+    "a chunk of 4 GiB": [patched(12, 0xffffffff), "x.glb: byte 12: a chunk of 4294967295 bytes goes"],
+    "a chunk of another kind": [patched(16, 0), "x.glb: byte 16: expected a JSON chunk"],
+    "version 1": [patched(4, 1), "x.glb is glTF of version 1"],
+    "JSON that ends early": [container('{"asset":', new Uint8Array()), "x.glb is not JSON"],
+    "JSON that is a list": [container("[1]", new Uint8Array()), "x.glb: asset: is missing"],
+    "JSON a million levels deep": [container("[".repeat(1e6), new Uint8Array()), "x.glb is not JSON"],
+    "no binary chunk": [
+      glb({ ...JSON.parse('{"buffers":[{"byteLength":4}]}'), ...viewOfNothing() }),
+      "buffers[0]: has no data",
+    ],
+  };
+
+  test.each(Object.keys(cases))("%s", async (name) => {
+    const [bytes, complaint] = cases[name]!;
+    expect(await complaintAbout(bytes)).toContain(complaint);
+  });
+});
+
+function viewOfNothing() {
+  return {
+    bufferViews: [{ buffer: 0, byteLength: 4 }],
+    accessors: [{ bufferView: 0, componentType: 5121, type: "SCALAR", count: 4 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+  };
+}
+
+describe("a file that has everything, damaged", () => {
+  test("is read undamaged", async () => {
+    const { scene, warnings } = await loadGltf(everythingFile(), { decodeImage });
+    expect(meshesOf(scene).length).toBeGreaterThan(3);
+    expect(warnings).toEqual([]);
+  });
+
+  test("gives a scene or a LoadError with any byte flipped, seed 3", async () => {
+    const file = everythingFile();
+    const random = createRandom(3);
+    const complaints = new Set<string>();
+    for (let i = 0; i < 300; i++) {
+      const bytes = file.slice();
+      bytes[Math.floor(random() * bytes.length)]! ^= 1 << Math.floor(random() * 8);
+      complaints.add((await complaintAbout(bytes)).replaceAll(/[\d"'“].*/g, ""));
+    }
+    expect(complaints.size).toBeGreaterThan(10); // it got further than the first check
+  });
+
+  test("gives a LoadError when it is cut off anywhere, seed 4", async () => {
+    const file = everythingFile();
+    const random = createRandom(4);
+    for (let i = 0; i < 100; i++) {
+      const length = Math.floor(random() * file.length);
+      expect(await complaintAbout(file.subarray(0, length))).not.toBe("");
+    }
+  });
+
+  test("gives a scene or a LoadError with any value of its JSON replaced, seed 6", async () => {
+    const file = everythingFile();
+    const view = new DataView(file.buffer);
+    const jsonEnd = 20 + view.getUint32(12, true);
+    const text = new TextDecoder().decode(file.subarray(20, jsonEnd));
+    const binary = file.subarray(jsonEnd + 8);
+    const random = createRandom(6);
+    const odd = [-1, 1e300, 2 ** 32, 0.5, null, "", "x", [], {}, [[]], true, 99];
+    for (let i = 0; i < 300; i++) {
+      const json = JSON.parse(text);
+      const slots = slotsOf(json);
+      const { container: holder, key } = slots[Math.floor(random() * slots.length)]!;
+      Reflect.set(holder, key, odd[Math.floor(random() * odd.length)]);
+      await complaintAbout(container(JSON.stringify(json), binary));
+    }
+  });
+
+  test("is no danger to loadScene either, seed 8", async () => {
+    const file = everythingFile();
+    const random = createRandom(8);
+    for (let i = 0; i < 30; i++) {
+      const bytes = file.slice();
+      bytes[Math.floor(random() * 40)]! ^= 1 << Math.floor(random() * 8);
+      await loadScene(bytes, { decodeImage }).catch((error) => expect(error).toMatchObject({ name: "LoadError" }));
+    }
+  });
+});
+
+/** Every place in some JSON where a value is. */
+function slotsOf(json: object): { container: object; key: string }[] {
+  return Object.entries(json).flatMap(([key, value]) => {
+    const within = typeof value === "object" && value !== null ? slotsOf(value) : [];
+    return [{ container: json, key }, ...within];
+  });
+}

@@ -1,0 +1,213 @@
+import { encode } from "fast-png";
+import { describe, expect, test } from "vitest";
+import { decodeImage } from "../../../src/cli/decodeImage";
+import { loadGltf } from "../../../src/loaders/gltf";
+import { parseScene } from "../../../src/scene/parseScene";
+import { meshesOf, type Packer, roundedNumbers, type TriangleJson, triangleFile } from "../../support/gltf";
+
+const load = async (change: (json: TriangleJson, packer: Packer) => void) => {
+  const { scene, warnings } = await loadGltf(triangleFile(change), { decodeImage });
+  parseScene(scene); // what comes out is always valid
+  const [mesh] = meshesOf(scene);
+  return { scene, warnings, mesh: mesh!, material: scene.materials![mesh!.material]! };
+};
+
+describe("factors", () => {
+  const loadMaterial = (material: object) =>
+    load((json) => {
+      json.materials = [material];
+      json.meshes[0].primitives[0].material = 0;
+    });
+
+  test("without a material a mesh is as glTF has it: white, metallic and rough", async () => {
+    const { material, mesh } = await load(() => {});
+    expect(mesh.material).toBe("default");
+    expect(material).toEqual({ baseColor: [1, 1, 1], metallic: 1, roughness: 1, ior: 1.5 });
+  });
+
+  test("metallic-roughness factors are ours", async () => {
+    const { material, mesh, warnings } = await loadMaterial({
+      name: "Old gold",
+      pbrMetallicRoughness: { baseColorFactor: [0.1, 0.2, 0.3, 1], metallicFactor: 0.4, roughnessFactor: 0.5 },
+      doubleSided: true,
+    });
+    expect(mesh.material).toBe("Old gold");
+    expect(material).toEqual({ baseColor: [0.1, 0.2, 0.3], metallic: 0.4, roughness: 0.5, ior: 1.5 });
+    expect(warnings).toEqual([]);
+  });
+
+  test("emission is the factor times KHR_materials_emissive_strength, as radiance", async () => {
+    const { material } = await loadMaterial({
+      emissiveFactor: [1, 0.5, 0],
+      extensions: { KHR_materials_emissive_strength: { emissiveStrength: 20 } },
+    });
+    expect(material.emission).toEqual([20, 10, 0]);
+  });
+
+  test("KHR_materials_ior is ours; 0, which means something else, is said not to be supported", async () => {
+    const { material } = await loadMaterial({ extensions: { KHR_materials_ior: { ior: 1.33 } } });
+    expect(material.ior).toBe(1.33);
+    const odd = await loadMaterial({ extensions: { KHR_materials_ior: { ior: 0 } } });
+    expect(odd.material.ior).toBeUndefined();
+    expect(odd.warnings).toEqual(["KHR_materials_ior: 0 is not supported: 1.5 takes its place (materials[0])"]);
+  });
+
+  test.each(["MASK", "BLEND"])("alphaMode %s is said not to be supported", async (alphaMode) => {
+    const { warnings } = await loadMaterial({ name: "Leaf", alphaMode });
+    expect(warnings).toEqual([`alphaMode ${alphaMode} is not supported: it is shown opaque (materials[0] "Leaf")`]);
+  });
+
+  test("materials of one name, whatever it is, stay apart", async () => {
+    const names = ["a", "a", "__proto__", "__proto__", "constructor", "ground", ""];
+    const { scene } = await load((json) => {
+      json.materials = names.map((name, i) => ({ name, pbrMetallicRoughness: { metallicFactor: i / 10 } }));
+      const { attributes } = json.meshes[0].primitives[0];
+      json.meshes[0].primitives = names.map((_, material) => ({ attributes, material }));
+    });
+    const { materials } = parseScene(scene);
+    const metallic = meshesOf(scene).map(({ material }) => materials[material]!.metallic);
+    expect(metallic).toEqual(names.map((_, i) => i / 10));
+    expect(Reflect.has({}, "metallic")).toBe(false);
+  });
+});
+
+describe("textures", () => {
+  const RED_GREEN = encode({ width: 2, height: 1, channels: 4, data: Uint8Array.of(255, 0, 0, 0, 0, 255, 0, 255) });
+  const UVS = Float32Array.of(0, 0, 1, 0, 0, 1);
+
+  /** Adds a picture, two ways to repeat it, texture coordinates and a material. */
+  function addTexture(json: TriangleJson, packer: Packer, material: object): void {
+    const picture = { bufferView: packer.addView(RED_GREEN), mimeType: "image/png" };
+    json.images = [picture];
+    json.samplers = [{ wrapS: 33071, wrapT: 33648, magFilter: 9728 }];
+    json.textures = [{ source: 0 }, { source: 0, sampler: 0 }];
+    json.materials = [material];
+    const [primitive] = json.meshes[0].primitives;
+    primitive.material = 0;
+    primitive.attributes.TEXCOORD_0 = packer.add(UVS, "VEC2");
+    primitive.attributes.TEXCOORD_1 = packer.add(Float32Array.of(5, 5, 6, 6, 7, 7), "VEC2");
+  }
+  const loadTextured = (material: object, change: (json: TriangleJson) => void = () => {}) =>
+    load((json, packer) => {
+      addTexture(json, packer, material);
+      change(json);
+    });
+
+  test("each has its place, its picture and its way to repeat", async () => {
+    const { scene, mesh, material, warnings } = await loadTextured({
+      pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicRoughnessTexture: { index: 1 } },
+      normalTexture: { index: 0, scale: 0.5 },
+      emissiveTexture: { index: 0 },
+      emissiveFactor: [1, 1, 1],
+    });
+    expect(material).toMatchObject({
+      baseColorTexture: "image 0",
+      metallicRoughnessTexture: "image 0 clamp mirror nearest",
+      normalTexture: "image 0",
+      normalScale: 0.5,
+      emissionTexture: "image 0",
+      emission: [1, 1, 1],
+    });
+    const texels = Uint8Array.of(255, 0, 0, 0, 0, 255, 0, 255);
+    const picture = { width: 2, height: 1, texels };
+    expect(scene.textures).toEqual({
+      "image 0": { ...picture, wrapU: "repeat", wrapV: "repeat", filter: "linear" },
+      "image 0 clamp mirror nearest": { ...picture, wrapU: "clamp", wrapV: "mirror", filter: "nearest" },
+    });
+    expect(roundedNumbers(mesh.uvs)).toEqual([...UVS]);
+    expect(warnings).toEqual([]);
+  });
+
+  test("KHR_texture_transform is applied to the coordinates: scale, counter-clockwise turn, offset", async () => {
+    // The specification's example: the lower left quadrant, turned clockwise by 90°.
+    const transform = { offset: [0, 1], rotation: Math.PI / 2, scale: [0.5, 0.5] };
+    const extensions = { KHR_texture_transform: transform };
+    const { mesh, warnings } = await loadTextured({
+      pbrMetallicRoughness: { baseColorTexture: { index: 0, extensions } },
+      normalTexture: { index: 0, extensions },
+    });
+    expect(roundedNumbers(mesh.uvs)).toEqual([0, 1, 0, 0.5, 0.5, 1]);
+    expect(warnings).toEqual([]);
+  });
+
+  test("a texture with other coordinates than the material's first is left out, and that is said", async () => {
+    const { mesh, material, warnings } = await loadTextured({
+      pbrMetallicRoughness: { baseColorTexture: { index: 0, texCoord: 1 } },
+      normalTexture: { index: 0 },
+    });
+    expect(roundedNumbers(mesh.uvs)).toEqual([5, 5, 6, 6, 7, 7]);
+    expect(material.normalTexture).toBeUndefined();
+    expect(warnings).toEqual([
+      expect.stringMatching(/texture coordinates .* differ .*\(materials\[0\], normalTexture\)/),
+    ]);
+  });
+
+  test("a mesh without texture coordinates shows the material without its textures, and that is said", async () => {
+    const { scene, warnings } = await load((json, packer) => {
+      addTexture(json, packer, { name: "m", pbrMetallicRoughness: { baseColorTexture: { index: 0 } } });
+      const { POSITION } = json.meshes[0].primitives[0].attributes;
+      json.meshes[0].primitives.push({ attributes: { POSITION }, material: 0 });
+    });
+    const [textured, bare] = meshesOf(scene);
+    expect(scene.materials![textured!.material]!.baseColorTexture).toBe("image 0");
+    expect(scene.materials![bare!.material]!.baseColorTexture).toBeUndefined();
+    expect(bare!.uvs).toBeUndefined();
+    expect(warnings).toEqual([expect.stringMatching(/left out on meshes that lack its texture coordinates .*"m"/)]);
+  });
+
+  test("pictures that nothing shows are not decoded: emission of strength 0, unused materials", async () => {
+    const { scene } = await loadTextured({ emissiveTexture: { index: 0 } }, (json) => {
+      json.materials.push({ normalTexture: { index: 0 } });
+    });
+    expect(scene.textures).toEqual({});
+  });
+
+  test("a picture in no known format is an error that names it", async () => {
+    const load = loadTextured({ normalTexture: { index: 0 } }, (json) => {
+      json.images = [{ uri: "data:image/png;base64,aGVsbG8=" }];
+    });
+    await expect(load).rejects.toThrow("the file: images[0]: is not PNG, JPEG, WebP or AVIF");
+  });
+
+  test("a picture that claims a billion texels is not decoded", async () => {
+    const bomb = RED_GREEN.slice();
+    new DataView(bomb.buffer).setUint32(16, 40_000);
+    new DataView(bomb.buffer).setUint32(20, 40_000);
+    const load = loadTextured({ normalTexture: { index: 0 } }, (json) => {
+      json.images = [{ uri: `data:image/png;base64,${btoa(String.fromCharCode(...bomb))}` }];
+    });
+    await expect(load).rejects.toThrow("has pictures of 1600000000 texels; at most 67108864 are read");
+  });
+
+  test("without a decoder the error says how to give one", async () => {
+    const file = triangleFile((json, packer) => addTexture(json, packer, { normalTexture: { index: 0 } }));
+    await expect(loadGltf(file)).rejects.toThrow("images[0]: there is no decoder for pictures outside of a browser");
+  });
+});
+
+test("what is not supported is listed, with the places", async () => {
+  const { warnings } = await load((json, packer) => {
+    json.extensionsUsed = ["KHR_materials_transmission", "KHR_xmp_json_ld", "KHR_materials_ior"];
+    json.animations = [{}];
+    json.nodes[0].skin = 0;
+    json.meshes[0].name = "Body";
+    const [primitive] = json.meshes[0].primitives;
+    primitive.targets = [{}];
+    primitive.attributes.COLOR_0 = packer.add(new Uint8Array(12), "VEC4");
+    primitive.attributes.NORMAL = packer.add(Float32Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1), "VEC3");
+    primitive.attributes.TANGENT = packer.add(new Float32Array(12), "VEC4");
+    primitive.material = 0;
+    json.materials = [{ doubleSided: true, emissiveFactor: [1, 1, 1], normalTexture: { index: 0 } }];
+    json.textures = [{}];
+  });
+  expect(warnings).toEqual([
+    'A glTF extension is not supported, and what it says is left out ("KHR_materials_transmission")',
+    "Animations are not supported: the pose at rest is shown",
+    "Skins are not supported: the mesh is shown unbent (nodes[0])",
+    'Morph targets are not supported: the base shape is shown (meshes[0] "Body")',
+    'Vertex colours are not supported: the material\'s own is shown (meshes[0] "Body")',
+    'Tangents are computed from the texture coordinates, not read from the file (meshes[0] "Body")',
+    "A texture is left out on meshes that lack its texture coordinates (materials[0], normalTexture)",
+    "A double-sided material emits from its front only (materials[0])",
+  ]);
+});

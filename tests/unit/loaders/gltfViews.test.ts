@@ -1,0 +1,169 @@
+import { describe, expect, test } from "vitest";
+import { loadGltf } from "../../../src/loaders/gltf";
+import { parseScene } from "../../../src/scene/parseScene";
+import { roundedNumbers, type TriangleJson, triangleFile } from "../../support/gltf";
+
+const load = async (change: (json: TriangleJson) => void = () => {}) => {
+  const { scene, warnings } = await loadGltf(triangleFile(change));
+  return { scene: parseScene(scene), warnings };
+};
+
+const withLight = (json: TriangleJson, light: object) => {
+  json.extensionsUsed = ["KHR_lights_punctual"];
+  json.extensions = { KHR_lights_punctual: { lights: [light] } };
+  json.nodes.push({ translation: [1, 2, 3], extensions: { KHR_lights_punctual: { light: 0 } } });
+  json.scenes[0].nodes.push(json.nodes.length - 1);
+};
+
+const withCamera = (json: TriangleJson, node: object, camera: object = perspective(0.7)) => {
+  json.cameras = [camera];
+  json.nodes.push({ camera: 0, ...node });
+  json.scenes[0].nodes.push(json.nodes.length - 1);
+};
+
+const perspective = (yfov: number) => ({ type: "perspective", perspective: { yfov, znear: 0.1 } });
+
+describe("lights", () => {
+  test("of a point light each candela is a watt per steradian", async () => {
+    const { scene, warnings } = await load((json) => {
+      withLight(json, { type: "point", intensity: 10, color: [1, 0.5, 0] });
+    });
+    expect(scene.lights).toHaveLength(1);
+    expect(scene.lights[0]).toMatchObject({ type: "point", position: [1, 2, 3] });
+    expect(roundedNumbers(scene.lights[0]!.power)).toEqual(roundedNumbers([40 * Math.PI, 20 * Math.PI, 0]));
+    expect(warnings).toEqual([]);
+  });
+
+  test("a light in lumens, where ours are watts, is said to be too bright, and by how much", async () => {
+    // 1000 W in Blender, which writes 1000 · 683 / 4π candela, at the distance of its default scene.
+    const { warnings } = await load((json) => {
+      json.nodes[0].translation = [1, 2, -2.9];
+      withLight(json, { type: "point", intensity: 54_351 });
+    });
+    expect(warnings).toEqual(["The lights are about 9 stops too bright for an exposure of 0; try one of -9"]);
+  });
+
+  test.each(["spot", "directional"])("a %s light is left out, and that is said", async (type) => {
+    const { warnings } = await load((json) => withLight(json, { type, name: "Sun" }));
+    expect(warnings).toEqual([`Lights of type ${type} are not supported, and left out (lights[0] "Sun")`]);
+  });
+});
+
+describe("the camera", () => {
+  test("is the file's, aimed at the depth of the model's middle, upright where its horizon is level", async () => {
+    const { scene, warnings } = await load((json) => withCamera(json, { translation: [0.5, 0.5, 4] }));
+    expect(scene.camera).toMatchObject({ position: [0.5, 0.5, 4], target: [0.5, 0.5, 0], up: [0, 1, 0] });
+    expect(scene.camera.verticalFov).toBeCloseTo((0.7 * 180) / Math.PI, 10);
+    expect(warnings).toEqual([]);
+  });
+
+  test("keeps its roll", async () => {
+    const { scene } = await load((json) => withCamera(json, { rotation: [0, 0, Math.SQRT1_2, Math.SQRT1_2] }));
+    expect(roundedNumbers(scene.camera.up)).toEqual([-1, 0, 0]);
+  });
+
+  test("may look straight down", async () => {
+    const rotation = [-Math.SQRT1_2, 0, 0, Math.SQRT1_2];
+    const { scene } = await load((json) => withCamera(json, { translation: [0, 3, 0], rotation }));
+    expect(roundedNumbers(scene.camera.up)).toEqual([0, 0, -1]);
+    expect(scene.camera.target[1]).toBeLessThan(3);
+  });
+
+  test("is not an orthographic one, and that is said", async () => {
+    const { warnings } = await load((json) => withCamera(json, {}, { type: "orthographic", orthographic: {} }));
+    expect(warnings).toEqual(["Orthographic cameras are not supported: the model is framed instead (cameras[0])"]);
+  });
+
+  test("without one, every vertex is in a square picture, and most of it is filled", async () => {
+    const { scene } = await load((json) => {
+      json.nodes[0] = { mesh: 0, scale: [3, 0.2, 1], translation: [100, 5, -7] };
+    });
+    const { position, target, verticalFov } = scene.camera;
+    const ahead = unit(minus(target, position));
+    const right = unit([-ahead[2]!, 0, ahead[0]!]);
+    const slope = Math.tan((verticalFov * Math.PI) / 360);
+    const across = [
+      [100, 5, -7],
+      [103, 5, -7],
+      [100, 5.2, -7],
+    ].map((vertex) => {
+      const offset = minus(vertex, position);
+      return Math.abs(dot(offset, right)) / dot(offset, ahead) / slope;
+    });
+    expect(Math.max(...across)).toBeLessThan(1);
+    expect(Math.max(...across)).toBeGreaterThan(0.7);
+  });
+});
+
+describe("the table", () => {
+  const hasGround = (scene: { objects: readonly { type: string }[] }) =>
+    scene.objects.some(({ type }) => type === "plane");
+
+  test("a bare model stands on a ground just below it, under a lamp and a dim sky", async () => {
+    const { scene } = await load((json) => {
+      json.nodes[0].translation = [0, 10, 0];
+    });
+    const plane = scene.objects.find((object) => object.type === "plane")!;
+    expect(plane.normal).toEqual([0, 1, 0]);
+    expect(plane.point[1]).toBeLessThan(10);
+    expect(plane.point[1]).toBeGreaterThan(9.99);
+    expect(scene.lights.map(({ type }) => type)).toEqual(["sphere"]);
+    expect(Math.min(...scene.environment.radiance)).toBeGreaterThan(0);
+  });
+
+  test("the lamp gives a model of any size the same light", async () => {
+    const irradiance = async (scale: number) => {
+      const { scene } = await load((json) => {
+        json.nodes[0].scale = [scale, scale, scale];
+      });
+      const [light] = scene.lights;
+      const distance = Math.hypot(...minus(light!.position, scene.camera.target));
+      return light!.power[0] / (4 * Math.PI * distance ** 2);
+    };
+    expect(await irradiance(1e-6)).toBeCloseTo(await irradiance(1e6), 6);
+  });
+
+  test("a file with a light has none of it", async () => {
+    const { scene } = await load((json) => withLight(json, { type: "point" }));
+    expect(hasGround(scene)).toBe(false);
+    expect(scene.lights).toHaveLength(1);
+    expect(scene.environment.radiance).toEqual([0, 0, 0]);
+  });
+
+  test("nor has one with a surface that emits", async () => {
+    const { scene } = await load((json) => {
+      json.materials = [{ emissiveFactor: [1, 1, 1] }];
+      json.meshes[0].primitives[0].material = 0;
+    });
+    expect(hasGround(scene)).toBe(false);
+    expect(scene.lights).toEqual([]);
+  });
+
+  test("a lamp that is not supported leaves the table", async () => {
+    const { scene } = await load((json) => withLight(json, { type: "directional" }));
+    expect(hasGround(scene)).toBe(true);
+  });
+
+  test("a model all in one point, and a file with nothing in it, are valid scenes", async () => {
+    await load((json) => {
+      json.nodes[0].scale = [0, 0, 0];
+    });
+    const { scene, warnings } = await load((json) => {
+      json.nodes = [{}];
+    });
+    expect(scene.objects).toEqual([]);
+    expect(warnings).toEqual(["The file has no triangles, so there is nothing to see"]);
+  });
+});
+
+function minus(a: readonly number[], b: readonly number[]): number[] {
+  return a.map((value, i) => value - b[i]!);
+}
+
+function dot(a: readonly number[], b: readonly number[]): number {
+  return a.reduce((sum, value, i) => sum + value * b[i]!, 0);
+}
+
+function unit(a: readonly number[]): number[] {
+  return a.map((value) => value / Math.hypot(...a));
+}
