@@ -12,15 +12,17 @@ import { NONE, Rays, tally, traceRays } from "../../support/traceRays";
 const RAYS = 500_000 * LONG;
 const FAR: Vec3 = [1e5, -7e4, 1e5 / 3];
 
-// The mesh is 20 across: 10⁵ away its vertices lie on a lattice of 2⁻⁷, a sixtieth of an edge.
+// The mesh is 20 across: 10⁵ away its vertices lie on a lattice of 2⁻⁷, a sixtieth of an edge. A point of a triangle is then no
+// better known, and the clearance that this takes may put one next to an edge beyond the next triangle.
 const SIZE = 20;
 const PLACES = [
-  { where: "at the origin", place: [0, 0, 0], target: [0, 0, 0] },
-  { where: "10⁵ from what the camera looks at", place: FAR, target: [0, 0, 0] },
-] as const satisfies readonly { where: string; place: Vec3; target: Vec3 }[];
+  { where: "at the origin", place: [0, 0, 0], target: [0, 0, 0], mayEscape: 0 },
+  { where: "10⁵ from what the camera looks at", place: FAR, target: [0, 0, 0], mayEscape: 1e-3 },
+] as const satisfies readonly { where: string; place: Vec3; target: Vec3; mayEscape: number }[];
 const leaks = new Map<string, number>();
+const escapes = new Map<string, number>();
 
-describe.each(PLACES)("a closed mesh $where, seed 21", ({ where, place, target }) => {
+describe.each(PLACES)("a closed mesh $where, seed 21", ({ where, place, target, mayEscape }) => {
   test.each(["outside", "inside"] as const)(
     "lets no ray in or out through an edge or a vertex, from %s",
     async (side) => {
@@ -36,12 +38,10 @@ describe.each(PLACES)("a closed mesh $where, seed 21", ({ where, place, target }
       const leak = tally(RAYS, (i) => id[i] === NONE || t[i]! > aims[i]! + 0.01 * SIZE);
       leaks.set(where, (leaks.get(where) ?? 0) + leak);
       expect(leak).toBe(0);
-      console.log(
-        where,
-        side,
-        "escapes",
-        tally(RAYS, (i) => id[i] !== NONE && side === "inside" && nextId[i] === NONE),
-      );
+      if (side === "outside") return;
+      const lost = tally(RAYS, (i) => id[i] !== NONE && nextId[i] === NONE);
+      escapes.set(where, lost);
+      expect(lost).toBeLessThanOrEqual(mayEscape * RAYS);
     },
   );
 });
@@ -49,12 +49,20 @@ describe.each(PLACES)("a closed mesh $where, seed 21", ({ where, place, target }
 afterAll(() =>
   recordStability(
     "mesh-leaks",
-    PLACES.map(({ where }) => ({
-      case: `Rays through shared edges and vertices of a closed mesh of 1,000 triangles 20 across ${where}, from outside and inside`,
-      asserted: "0 leaks",
-      inputs: 2 * RAYS,
-      worst: leaks.has(where) ? `${count(leaks.get(where)!)} leaks` : "–",
-    })),
+    PLACES.flatMap(({ where, mayEscape }) => [
+      {
+        case: `Rays through shared edges and vertices of a closed mesh of 1,000 triangles 20 across, ${where}, from outside and inside`,
+        asserted: "0 leaks",
+        inputs: 2 * RAYS,
+        worst: `${count(leaks.get(where) ?? 0)} leaks`,
+      },
+      {
+        case: `Rays that scatter inside that mesh, at its edges and vertices, ${where}`,
+        asserted: mayEscape === 0 ? "none gets out" : `at most ${mayEscape} of them get out: vertices are known to 2⁻⁷`,
+        inputs: RAYS,
+        worst: `${count(escapes.get(where) ?? 0)} get out`,
+      },
+    ]),
   ),
 );
 
