@@ -3,7 +3,7 @@ import { compileScene } from "../../src/compile/compileScene";
 import { prepareGeometry } from "../../src/compile/geometry";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Light, SceneObject, Vec3 } from "../../src/scene/schema";
-import { bumpySphere, meshObject, placed } from "../support/meshes";
+import { icosphere, meshObject, placed } from "../support/meshes";
 import { runProbe } from "../support/probe";
 import { createRandom, randomDirection } from "../support/random";
 
@@ -42,7 +42,8 @@ const TRIANGLE: SceneObject = {
 const BOX: SceneObject = { type: "box", center: [0, 0, 0], size: [1, 2, 0.5], rotationY: 25, ...glow };
 const BALL: SceneObject = { type: "sphere", center: [0, 0, 0], radius: 0.7, ...glow };
 
-const MESH = meshObject(placed(bumpySphere(200), 1.8, [0, 0, 0]), "glow");
+// Small and convex: at the least distance a third of it is seen, and none of it hides another part.
+const MESH = meshObject(placed(icosphere(1), 0.35, [0, 0, 0]), "glow");
 
 const SCENES: Readonly<Record<string, Emitting>> = {
   "a sphere light": { lights: [SPHERE] },
@@ -82,9 +83,11 @@ describe.each(Object.keys(SCENES))("light sampling of %s, seed 11", (name) => {
     const sampled = (await sampleLights(SCENES[name]!, points)).flat();
     const reaching = sampled.filter(({ estimate }) => estimate > 0);
     const hits = reaching.filter(({ id, hitId }) => id === hitId);
-    // A flat light shines to one side only, and lights can hide one another; a sphere's tangent can miss it.
+    // A flat light shines to one side only, and lights can hide one another; a sphere's tangent can miss it, and a ray at the
+    // edge of a mesh's triangle pass to the next.
     expect(hits.length).toBeGreaterThan(0.3 * sampled.length);
-    expect(hits.length).toBeGreaterThan((name.includes(",") ? 0.8 : 0.999) * reaching.length);
+    const share = name.includes(",") ? 0.8 : name.includes("mesh") ? 0.99 : 0.999;
+    expect(hits.length).toBeGreaterThan(share * reaching.length);
 
     // The densities are functions of the direction whose slope is largest at a light's rim, as 1/cos there. f32 knows a
     // direction to 2⁻²³ and the angle under which a light of size 1 is hit to d·2⁻²³: with d = 1000 that is 1e-4.

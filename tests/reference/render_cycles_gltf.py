@@ -6,13 +6,14 @@ Writes what render_mitsuba.py writes. Needs: pip install bpy numpy (Python 3.11 
 A point light of 1 cd becomes a lamp of 4π W, which is 1 W/sr: `COMPAT`. By Blender's default, `SPEC`, candelas are divided by
 683 lm/W while emission is not, so that the file's lamps and lights would no longer compare.
 """
-import argparse, json, math, os, sys
+import argparse, os, sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'bench', 'rivals'))
 import bpy
 import numpy as np
 from cycles_rival import configure, render, result
+from reference_files import write
 
 
 def load(file):
@@ -31,12 +32,7 @@ def main():
     for seed in range(a.batches):
         render(scene, a.spp // a.batches, seed)
         batches.append(result(a.size, a.size).astype(np.float64))
-    s = np.stack(batches); img = s.mean(0); root = math.sqrt(a.batches); se = s.std(0, ddof=1) / root
-    img.astype('<f4').tofile(a.out); se.astype('<f4').tofile(os.path.splitext(a.out)[0] + '.se.f32')
-    meta = {'scene': os.path.basename(a.scene), 'width': a.size, 'height': a.size, 'spp': a.spp, 'renderer': f'Cycles {bpy.app.version_string}',
-            'mean': img.mean((0, 1)).tolist(), 'meanStandardError': (s.mean((1, 2)).std(0, ddof=1) / root).tolist(),
-            'relativePixelStandardError': float(np.sqrt((se ** 2).mean()) / img.mean())}
-    json.dump(meta, open(os.path.splitext(a.out)[0] + '.meta.json', 'w'), indent=1); print(json.dumps(meta))
+    write(a.scene, a.out, a.spp, f'Cycles {bpy.app.version_string}', batches)
 
 
 if __name__ == '__main__':
