@@ -14,9 +14,12 @@ if (executablePath === undefined) {
 const serve = (config: string, url: string) =>
   `npx vite build --config ${config} && npx vite preview --config ${config} --port ${new URL(url).port} --strictPort`;
 
-/** The element and the demo in a real browser, on its software adapter. One test at a time: each wants the whole CPU. */
+/** The element, the demo and the packed package in a real browser, on its software adapter. One test at a time: each wants the whole CPU. */
 export default defineConfig({
-  testDir: "tests/e2e",
+  projects: [
+    { name: "e2e", testDir: "tests/e2e" },
+    { name: "package", testDir: "tests/package" },
+  ],
   outputDir: "tests/output/playwright",
   workers: 1,
   timeout: 45_000,

@@ -1,5 +1,6 @@
 import { readFile } from "node:fs/promises";
-import { defineConfig, type Plugin } from "vite";
+import { fileURLToPath } from "node:url";
+import { type BuildEnvironmentOptions, defineConfig, type Plugin } from "vite";
 
 /** Ships shader modules without their comments: a twelfth of what a page downloads. WGSL has no strings to mistake for one. */
 export function leanShaders(): Plugin {
@@ -15,28 +16,70 @@ export function leanShaders(): Plugin {
   };
 }
 
-/** The package: ES modules with the shaders inlined, so that users need no plugin. */
-export default defineConfig({
-  plugins: [leanShaders()],
-  build: {
-    lib: {
-      entry: {
-        index: "src/index.ts",
-        element: "src/element.ts",
-        panel: "src/panel/panel.ts",
-        gltf: "src/loaders/gltf.ts",
-      },
-      formats: ["es"],
+/** ES modules with the shaders inlined, so that users need no plugin. */
+const modules: BuildEnvironmentOptions = {
+  lib: {
+    entry: {
+      index: "src/index.ts",
+      element: "src/element.ts",
+      panel: "src/panel/panel.ts",
+      gltf: "src/loaders/gltf.ts",
     },
-    rollupOptions: {
-      external: [
-        /^(@gltf-transform\/(core|extensions)|meshoptimizer|tweakpane|valibot|wesl|wgpu-matrix)(\/|$)/,
-        // Its decoder is external; the WebAssembly beside it comes with the package, so that no bundler has to find it.
-        /^draco3dgltf\/.*\.js$/,
-      ],
-    },
-    target: "es2022",
-    sourcemap: true,
-    minify: false,
+    formats: ["es"],
   },
+  rollupOptions: {
+    external: [
+      /^(@gltf-transform\/(core|extensions)|meshoptimizer|tweakpane|valibot|wesl|wgpu-matrix)(\/|$)/,
+      // Its decoder is external; the WebAssembly beside it comes with the package, so that no bundler has to find it.
+      /^draco3dgltf\/.*\.js$/,
+    ],
+  },
+  sourcemap: true,
+  minify: false,
+};
+
+/** One file, dependencies too, for `<script type="module">`. */
+const minified = (entry: string, fileName: string): BuildEnvironmentOptions => ({
+  emptyOutDir: false,
+  lib: { entry, formats: ["es"] },
+  rollupOptions: { output: { entryFileNames: fileName, codeSplitting: false, minify: true } },
+});
+
+/** Leaves modules of ours to a file beside the one that is built. */
+function inFileBeside(files: Readonly<Record<string, string>>): Plugin {
+  const source = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+  const byId = new Map(Object.entries(files).map(([path, file]) => [source(path), file]));
+  return {
+    name: "in-file-beside",
+    enforce: "pre",
+    async resolveId(name, importer, options) {
+      const file = byId.get((await this.resolve(name, importer, { ...options, skipSelf: true }))?.id ?? "");
+      return file === undefined ? undefined : { id: file, external: true };
+    },
+  };
+}
+
+/** What each `--mode` builds: the package's modules; all of it in a single file; and the glTF loader, which that one loads. */
+const builds: Readonly<Record<string, { build: BuildEnvironmentOptions; beside?: Readonly<Record<string, string>> }>> =
+  {
+    production: { build: modules },
+    single: {
+      build: minified("src/bundle.ts", "rt-viewer.min.js"),
+      beside: { "src/loaders/gltf.ts": "./rt-viewer.gltf.min.js" },
+    },
+    "single-gltf": {
+      build: minified("src/loaders/gltf.ts", "rt-viewer.gltf.min.js"),
+      // One class of errors, for `instanceof`.
+      beside: { "src/errors.ts": "./rt-viewer.min.js" },
+    },
+  };
+
+export default defineConfig(({ mode }) => {
+  const { build, beside = {} } = builds[mode] ?? builds.production!;
+  return {
+    // Addresses within the package are relative: the worker is found wherever a page or a bundler puts it.
+    base: "./",
+    plugins: [leanShaders(), inFileBeside(beside)],
+    build: { target: "es2022", ...build },
+  };
 });

@@ -2,6 +2,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
+import { sceneSchemaModule } from "../tools/sceneSchemaModule";
 import { leanShaders } from "../vite.config";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
@@ -21,6 +22,7 @@ export default defineConfig({
   },
   plugins: [
     { ...leanShaders(), apply: "build" }, // in development a changed shader reloads the page
+    sceneSchemaModule(),
     served("scenes", here("../tests/reference/scenes/"), /\.json$/),
     served("references", here("../tests/reference/"), /\.(f32|meta\.json)$/),
   ],

@@ -1,15 +1,19 @@
 // Defines <rt-viewer>. The one module with a side effect; in Node, where there are no custom elements, it has none.
 
+import type { RtViewerEventMap } from "./element/events";
 import { RtViewerElement } from "./element/rtViewerElement";
 
 export type {
   ConvergedDetail,
+  DeviceLostDetail,
   ErrorDetail,
   LoadWarningsDetail,
+  PickDetail,
   ProgressDetail,
   ReadyDetail,
   RtViewerEventMap,
 } from "./element/events";
+export type { LoadPhase, LoadProgressDetail } from "./element/loadProgress";
 export { RtViewerElement };
 
 const TAG = "rt-viewer";
@@ -23,4 +27,6 @@ declare global {
   interface HTMLElementTagNameMap {
     "rt-viewer": RtViewerElement;
   }
+  /** Those whose names no other element uses; `progress` and `error` are typed on the element itself. */
+  interface HTMLElementEventMap extends Pick<RtViewerEventMap, "loadprogress" | "ready" | "converged" | "devicelost"> {}
 }

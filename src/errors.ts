@@ -14,6 +14,7 @@ export type SceneIssue = {
 /** The scene breaks the format. Holds every issue; the message lists them, one per line. */
 export class SceneError extends RtViewerError {
   override readonly name = "SceneError";
+  /** In the order of the scene's fields; never empty. */
   readonly issues: readonly SceneIssue[];
 
   constructor(issues: readonly SceneIssue[], options?: ErrorOptions) {

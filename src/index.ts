@@ -1,6 +1,8 @@
 export { LoadError, RtViewerError, SceneError, type SceneIssue, UnsupportedError, WebGpuError } from "./errors";
+export type { ToneMap } from "./gpu/blitPass";
 export type { View } from "./renderer/display";
-export { PathTracer, type PathTracerOptions } from "./renderer/pathTracer";
+export { PathTracer, type PathTracerOptions, type SceneOptions } from "./renderer/pathTracer";
+export type { Picked } from "./renderer/picker";
 export { DEFAULT_SETTINGS, type Settings } from "./renderer/settings";
 export type { Stats } from "./renderer/stats";
 export * from "./scene/builders";
@@ -11,6 +13,7 @@ export type {
   Environment,
   Light,
   Material,
+  ResolvedCamera,
   ResolvedScene,
   Rgb,
   Scene,

@@ -15,7 +15,7 @@ export type Split = {
 };
 
 const MOST_BINS = 16;
-// Fewer suffice for few: 16 there are a fiftieth of the time for a thousandth of the cost.
+// These suffice for few: of up to 64 primitives instead of 32, a tree of a million costs 0.03 % more.
 const FEWER_BINS = 8;
 const FEW = 64;
 

@@ -49,8 +49,9 @@ export function anyHit(bvh: Bvh, ray: Ray, intersect: Intersect, tMin = 0, tMax 
   let isHit = false;
   traverse(bvh, ray, tMin, tMax, (primitive, farthest) => {
     const t = intersect(primitive, tMin, farthest);
-    isHit = t >= tMin && t <= farthest && t !== Number.POSITIVE_INFINITY;
-    return isHit ? STOP : farthest;
+    if (!(t >= tMin && t <= farthest) || t === Number.POSITIVE_INFINITY) return farthest;
+    isHit = true;
+    return STOP;
   });
   return isHit;
 }
@@ -83,9 +84,10 @@ function traverse(
         node = isForwards ? node + 1 : links[node]!;
         continue;
       }
-      for (let slot = links[node]!; slot < links[node]! + counts[node]!; slot++) tMax = visit(order[slot]!, tMax);
+      const end = links[node]! + counts[node]!;
+      for (let slot = links[node]!; slot < end && tMax > STOP; slot++) tMax = visit(order[slot]!, tMax);
     }
-    if (waiting === 0) return;
+    if (waiting === 0 || tMax === STOP) return;
     node = stack[--waiting]!;
   }
 }

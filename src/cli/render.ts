@@ -3,9 +3,9 @@ import { parseArgs } from "node:util";
 import { encode } from "fast-png";
 import { RtViewerError } from "../errors";
 import { PathTracer } from "../renderer/pathTracer";
+import { encodePfm } from "../renderer/pfm";
 import type { Settings } from "../renderer/settings";
 import { requestDawnDevice } from "./dawn";
-import { encodePfm } from "./pfm";
 import { readScene } from "./readScene";
 
 const USAGE = `Usage: npm run render -- SCENE [options]

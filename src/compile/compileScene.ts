@@ -1,4 +1,3 @@
-import { UnsupportedError } from "../errors";
 import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
 import { canBlock } from "./blockers";
 import { emitScene } from "./emitScene";
@@ -20,8 +19,9 @@ export type CompiledScene = {
   readonly features: Features;
   /** The features in words. */
   readonly description: readonly string[];
-  /** Contents of the uniform `scene`. */
+  /** Contents of `scene`: of a uniform buffer or, if stored, of a read-only storage buffer. */
   readonly uniform: ArrayBuffer;
+  readonly isStored: boolean;
   /** What rays can hit, relative to `origin`. */
   readonly shapes: readonly Shape[];
   /** Those of them that emit. */
@@ -37,8 +37,7 @@ export type CompiledScene = {
  * @param restingCamera - given one, values stand in the text as constants, and what they rule out, seen from that camera,
  * is left out. Faster to run, good for this scene only, and the same image up to rounding. Without one, values live in the
  * uniform, and the text depends only on what kinds of things there are.
- * @param geometry - what `prepareGeometry` made of the scene's meshes, if it has any.
- * @throws {UnsupportedError} if the scene holds something that can't be rendered yet.
+ * @param geometry - what `prepareGeometry` made of the scene.
  */
 export function compileScene(
   scene: ResolvedScene,
@@ -56,41 +55,28 @@ export function compileScene(
     primitives,
     emitters,
     environment.some((value) => value > 0),
-    geometry?.data.normals !== undefined,
+    geometry,
     settings,
   );
   const slots = new Slots();
   const camera = restingCamera && subtract(restingCamera.position, origin);
+  const textureCount = Object.keys(scene.textures).length;
+  const pack = () => packScene(primitives, emitters, geometry, environment, scene.textures, slots.numbers);
   const sceneModule = emitScene(
-    primitives,
-    emitters,
-    features,
+    { primitives, emitters, features, textureCount, geometry },
     camera ? new Literals() : slots,
-    () => slots.numbers.length / 4,
     (id) => camera === undefined || canBlock(id, primitives, emitters, camera),
-    stackSizeFor(geometry),
-    Object.keys(scene.textures).length,
+    () => ({ slotCount: slots.numbers.length / 4, isStored: pack().byteLength > MAX_UNIFORM_BYTES }),
   );
-  const uniform = packScene(primitives, emitters, environment, scene.textures, slots.numbers);
-  if (uniform.byteLength > MAX_UNIFORM_BYTES) {
-    throw new UnsupportedError(
-      `the scene's ${primitives.length} objects need ${uniform.byteLength} bytes of uniforms; there are ${MAX_UNIFORM_BYTES}. Use fewer objects`,
-    );
-  }
+  const uniform = pack();
   return {
     sceneModule,
     features,
     description: [...describeFeatures(primitives, emitters, features), ...(camera ? ["values as constants"] : [])],
     uniform,
+    isStored: uniform.byteLength > MAX_UNIFORM_BYTES,
     shapes: primitives.map(({ shape }) => shape),
     lamps: primitives.filter(isEmissive).map(({ shape }) => shape),
     origin,
   };
-}
-
-// The stack grows in steps, so that most meshes share a program.
-const STACK_STEP = 8;
-
-function stackSizeFor(geometry: Geometry | undefined): number {
-  return Math.max(Math.ceil((geometry ? geometry.depth + 1 : 0) / STACK_STEP), 1) * STACK_STEP;
 }

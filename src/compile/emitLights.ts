@@ -4,6 +4,14 @@ import type { Emitter } from "./emitters";
 import type { Features } from "./features";
 import type { Values } from "./values";
 
+// More than these are not unrolled, but looked up one after the other.
+const MAX_UNROLLED = 48;
+
+/** Whether the lights' bounds are in tables. */
+export function hasManyLights(emitters: readonly Emitter[]): boolean {
+  return emitters.length > MAX_UNROLLED;
+}
+
 /**
  * `chooseLight`: in proportion to the light that each one is expected to add to the surface, or evenly for the baseline
  * estimator; and `lightBoundOf`, which knows the balls around emissive primitives.
@@ -20,6 +28,7 @@ export function emitLightChoice(emitters: readonly Emitter[], features: Features
 }
 `;
   }
+  if (hasManyLights(emitters)) return emitLightLoop(emitters.length);
   // The faces of a box share a bound, and with it what is expected of them.
   const groups = [...new Set(emitters.map(({ bound }) => bound))];
   const bounds = groups.map(({ center, radius }) => `vec4f(${values.vec3(center)}, ${values.scalar(radius)})`);
@@ -52,6 +61,37 @@ ${steps.join("")}  let weight = chosen.z - chosen.y;
 fn lightBoundOf(id: u32) -> vec4f {
   var bound = vec4f(0.0);
 ${lookups.join("")}  return bound;
+}
+`;
+}
+
+function emitLightLoop(count: number): string {
+  return `
+fn lightWeight(index: u32, surface: Surface) -> f32 {
+  let bound = scene.lightBounds[index];
+  let front = scene.lightFronts[index];
+  let isFlat = any(front.xyz != vec3f(0.0));
+  return front.w * select(lightShare(surface, bound), flatLightShare(surface, bound, front.xyz), isFlat);
+}
+
+fn chooseLight(surface: Surface, u: vec2f) -> LightChoice {
+  var total = 0.0;
+  for (var i = 0u; i < ${count}u; i++) { total += lightWeight(i, surface); }
+  let x = u.x * total;
+  // Index, where its share of total begins, and its weight.
+  var chosen = vec3f(0.0);
+  var sum = 0.0;
+  for (var i = 0u; i < ${count}u; i++) {
+    let weight = lightWeight(i, surface);
+    chosen = select(chosen, vec3f(f32(i), sum, weight), (weight > 0.0) & (x >= sum));
+    sum += weight;
+  }
+  let stretched = clamp((x - chosen.y) / select(chosen.z, 1.0, chosen.z == 0.0), 0.0, 0x1.fffffep-1);
+  return LightChoice(u32(chosen.x), vec2f(stretched, u.y), chosen.z / select(total, 1.0, total == 0.0), total);
+}
+
+fn lightBoundOf(id: u32) -> vec4f {
+  return scene.primitiveBounds[id];
 }
 `;
 }

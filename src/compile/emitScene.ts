@@ -3,38 +3,44 @@
 
 import type { Vec3 } from "../scene/schema";
 import type { StructFields, StructLayout } from "./defineStruct";
-import { emitLightChoice } from "./emitLights";
+import { halfEdgeDuals } from "./duals";
+import { emitLightChoice, hasManyLights } from "./emitLights";
 import type { Emitter } from "./emitters";
 import type { Features } from "./features";
+import type { Geometry } from "./geometry";
 import { LIGHT, MATERIAL } from "./layouts";
 import { anchorRows, lightRows, materialRows, shapeRow } from "./packScene";
 import { hasArea, type Primitive, type Shape, unreachable } from "./primitives";
 import { dualWithRim, inCommonOrder, withRim } from "./rims";
 import type { RowType, Values } from "./values";
-import { add, cross, length, scale, subtract } from "./vec3";
+import { add, length, scale, subtract } from "./vec3";
+
+/** What a scene is made of, as the shader sees it. */
+export type SceneParts = {
+  readonly primitives: readonly Primitive[];
+  readonly emitters: readonly Emitter[];
+  readonly features: Features;
+  readonly textureCount: number;
+  readonly geometry: Geometry | undefined;
+};
 
 /**
  * The text of module `scene`.
  *
  * @param values - how numbers are named.
- * @param slotCount - how many slots the uniform holds, once all numbers are named.
  * @param blocks - whether primitive `id` can come between a shaded point and a light.
- * @param stackSize - levels of the tree of meshes, at most.
- * @param textureCount - how many textures the uniform holds.
+ * @param packed - asked once all numbers are named: how many slots there are, and whether the scene's values are in a storage
+ * buffer, being too many for a uniform.
  */
 export function emitScene(
-  primitives: readonly Primitive[],
-  emitters: readonly Emitter[],
-  features: Features,
+  { primitives, emitters, features, textureCount, geometry }: SceneParts,
   values: Values,
-  slotCount: () => number,
   blocks: (id: number) => boolean,
-  stackSize: number,
-  textureCount: number,
+  packed: () => { readonly slotCount: number; readonly isStored: boolean },
 ): string {
   const sampled = new Set(emitters.map((emitter) => emitter.primitive));
   const emitted = primitives.flatMap(({ shape }, id) =>
-    shape.kind === "mesh" ? [] : [{ id, ...emitPrimitive(shape, id, values) }],
+    shape.kind === "mesh" || geometry?.shapes.has(id) ? [] : [{ id, ...emitPrimitive(shape, id, values) }],
   );
   const shear = features.TRIANGLES ? "  let shear = shearOf(ray);\n" : "";
 
@@ -53,6 +59,7 @@ export function emitScene(
     .join("");
 
   const lightChoice = emitLightChoice(emitters, features, values);
+  const { slotCount, isStored } = packed();
 
   return `
 import package::box::{boxIntersect, boxNormal, turnedBoxIntersect};
@@ -65,9 +72,9 @@ import package::surface::{Material, Surface};
 import package::textures::{Factors, Texture};
 import package::tree::{treeClosest, treeOccludes};
 
-// Ids from here on are those of triangles, by their slot in the tree.
+// Ids from here on are those of items of the tree, by their slot.
 const PRIMITIVES = ${primitives.length}u;
-const STACK_SIZE = ${stackSize}u;
+const STACK_SIZE = ${stackSizeFor(geometry)}u;
 
 struct Scene {
   environment: vec4f,
@@ -77,22 +84,22 @@ struct Scene {
   // See anchorRow in compile/packScene.ts.
   anchors: array<vec4f, ${Math.max(anchorRows(primitives).length, 1)}>,
   lights: array<Light, ${Math.max(emitters.length, 1)}>,
-${textureCount > 0 ? textureMembers(primitives.length, textureCount) : ""}  // Values of the intersection functions below.
-  slots: array<vec4f, ${Math.max(slotCount(), 1)}>,
+${hasManyLights(emitters) ? lightMembers(emitters.length, primitives.length) : ""}${textureCount > 0 ? textureMembers(primitives.length, textureCount) : ""}  // Values of the intersection functions below.
+  slots: array<vec4f, ${Math.max(slotCount, 1)}>,
 }
 
 // Written by the renderer when the scene changes.
-@group(0) @binding(1) var<uniform> scene: Scene;
+@group(0) @binding(1) var<${isStored ? "storage, read" : "uniform"}> scene: Scene;
 
 fn closestHit(ray: Ray) -> Hit {
 ${shear}  var hit = noHit();
-${closest}${features.MESHES ? "  hit = treeClosest(ray, hit);\n" : ""}  return hit;
+${closest}${features.TREE ? "  hit = treeClosest(ray, hit);\n" : ""}  return hit;
 }
 
 // Whether something other than \`target_\` lies between the ray's origin and the point at \`distance\`.
 fn occluded(ray: Ray, distance: f32, target_: u32) -> bool {
 ${shear}  var blocked = false;
-${blockers}${features.MESHES ? "  if (!blocked) { blocked = treeOccludes(ray, distance, target_); }\n" : ""}  return blocked;
+${blockers}${features.TREE ? "  if (!blocked) { blocked = treeOccludes(ray, distance, target_); }\n" : ""}  return blocked;
 }
 
 // Outward normals of shapes whose normal is neither constant nor radial.
@@ -105,8 +112,24 @@ fn environment() -> vec3f {
   return scene.environment.rgb;
 }
 ${textureCount > 0 ? TEXTURE_LOOKUPS : ""}
-${emitLookups(primitives, emitters, values)}
+${emitLookups(primitives, emitters, geometry, values)}
 ${lightChoice}`;
+}
+
+function lightMembers(count: number, primitiveCount: number): string {
+  return `  // Of each light: the ball around it; the side it shines to, or zero, and its strength.
+  lightBounds: array<vec4f, ${count}>,
+  lightFronts: array<vec4f, ${count}>,
+  // Of each primitive: the ball around its lights.
+  primitiveBounds: array<vec4f, ${Math.max(primitiveCount, 1)}>,
+`;
+}
+
+// The stack grows in steps, so that most geometry shares a program. One place more than links can wait.
+const STACK_STEP = 8;
+
+function stackSizeFor(geometry: Geometry | undefined): number {
+  return Math.max(Math.ceil((geometry ? geometry.depth + 1 : 0) / STACK_STEP), 1) * STACK_STEP;
 }
 
 function textureMembers(primitiveCount: number, textureCount: number): string {
@@ -130,13 +153,18 @@ fn textureOf(i: u32) -> Texture {
  * Functions that look values up: `shapeOf(id)`; per field of a material `alphaOf(id)` and so on; per field of a light
  * `lightSize(index)` and so on, and `lightAt(index)`. The linker drops those that the features leave unused.
  */
-function emitLookups(primitives: readonly Primitive[], emitters: readonly Emitter[], values: Values): string {
+function emitLookups(
+  primitives: readonly Primitive[],
+  emitters: readonly Emitter[],
+  geometry: Geometry | undefined,
+  values: Values,
+): string {
   const lookup = (name: string, type: RowType, uniform: string, rows: readonly (number | ArrayLike<number>)[]) => {
     const components = rows.map((row) => (typeof row === "number" ? [row] : Array.from(row)));
     return `fn ${name}(i: u32) -> ${type} {\n${values.lookup(uniform, type, components)}}\n`;
   };
   const materials = materialRows(primitives, emitters);
-  const lights = lightRows(emitters);
+  const lights = lightRows(primitives, emitters, geometry);
   const lightFields = fieldsOf(LIGHT).map(([field]) => `${lightField(field)}(i)`);
   return [
     lookup(
@@ -227,10 +255,4 @@ function emitPrimitive(shape: Exclude<Shape, { kind: "mesh" }>, id: number, valu
     default:
       return unreachable(shape);
   }
-}
-
-/** Vectors d1, d2 in the plane of the edges with d·(half edge) = 1 for their own and 0 for the other. */
-function halfEdgeDuals(edge1: Vec3, edge2: Vec3, normal: Vec3): [Vec3, Vec3] {
-  const area = length(cross(edge1, edge2));
-  return [scale(cross(edge2, normal), 2 / area), scale(cross(normal, edge1), 2 / area)];
 }

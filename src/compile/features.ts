@@ -1,5 +1,6 @@
 import { type ResolvedMaterial, TEXTURE_FIELDS, type TextureField } from "../scene/schema";
 import { type Emitter, isEmissive, type LightKind } from "./emitters";
+import type { Geometry } from "./geometry";
 import type { Primitive, Shape } from "./primitives";
 
 /** Which estimator and sampler to compile; the settings that shape the program. */
@@ -17,7 +18,7 @@ export function deriveFeatures(
   primitives: readonly Primitive[],
   emitters: readonly Emitter[],
   hasEnvironment: boolean,
-  isSmooth: boolean,
+  geometry: Geometry | undefined,
   settings: ProgramSettings,
 ) {
   const materials = primitives.flatMap(({ material }) => (material === "black" ? [] : [material]));
@@ -25,6 +26,8 @@ export function deriveFeatures(
   const rough = specular.filter((material) => alphaOf(material) > 0);
   const hasShape = (kind: Shape["kind"]) => primitives.some(({ shape }) => shape.kind === kind);
   const hasTexture = (field: TextureField) => materials.some((material) => material[field] !== undefined);
+  const isSmooth = geometry?.data.normals !== undefined;
+  const inTree = (kind: Shape["kind"]) => geometry?.treeShapes.some(({ shape }) => shape.kind === kind) ?? false;
   const hasLight = (kind: LightKind) => emitters.some((emitter) => emitter.kind === kind);
 
   const DIFFUSE = materials.length === 0 || materials.some(hasDiffuseLobe);
@@ -32,8 +35,14 @@ export function deriveFeatures(
   return {
     SPHERES: hasShape("sphere"),
     BOXES: hasShape("box"),
-    TRIANGLES: hasShape("triangle"),
+    TRIANGLES: primitives.some(({ shape }, id) => shape.kind === "triangle" && !geometry?.shapes.has(id)),
+    // Something is in the tree: triangles of meshes, other triangles, spheres, quads, boxes.
+    TREE: geometry !== undefined,
     MESHES: hasShape("mesh"),
+    TREE_TRIANGLES: hasShape("mesh") || inTree("triangle"),
+    TREE_SPHERES: inTree("sphere"),
+    TREE_QUADS: inTree("quad"),
+    TREE_BOXES: inTree("box"),
     // Some mesh has normals.
     SMOOTH: isSmooth,
     // Or a texture of them: shading goes by another normal than the surface's own.

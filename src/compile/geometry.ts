@@ -1,12 +1,14 @@
-// What is too much to be unrolled into the program: the triangles of meshes, in a tree. Pure; the renderer puts it on the GPU.
+// What is too much to be unrolled into the program, in a tree: the triangles of meshes, and shapes where there are many. Pure;
+// the renderer puts it on the GPU.
 
-import { buildBvh } from "../bvh/buildBvh";
+import { type AsyncBuildOptions, buildBvhAsync } from "../bvh/buildInWorker";
 import { triangleBounds } from "../bvh/triangleBounds";
 import type { ResolvedObject, ResolvedScene, Vec3 } from "../scene/schema";
 import { packItems } from "./packItems";
 import { type MeshLamp, packLamps } from "./packLamps";
 import { haveSameTexels, packTexels, type Textures } from "./packTextures";
 import { packTree } from "./packTree";
+import { boundsOfShape, type TreeShape, treeShapesOf } from "./treeShapes";
 import { length, subtract } from "./vec3";
 
 // Triangles in a leaf of the tree, at most. The shader was as quick with 4 for 1,000 triangles, and 10 % slower for 100,000.
@@ -50,26 +52,38 @@ export type Geometry = {
   readonly lamps: ReadonlyMap<number, MeshLamp>;
   readonly textures: Textures;
   readonly triangleCount: number;
-  /** `slotOf[triangle]`: where a triangle lies in the tree's leaves. */
+  /** `slotOf[item]`: where it lies in the tree's leaves. Items are the triangles of all meshes, then `treeShapes`. */
   readonly slotOf: Uint32Array;
+  readonly treeShapes: readonly TreeShape[];
+  /** Slots of those, by the ids of their primitives. */
+  readonly shapes: ReadonlyMap<number, number>;
   /** Levels of the tree below its root: as many links may wait while a ray is traced. */
   readonly depth: number;
   readonly data: GeometryData;
 };
 
+export type GeometryOptions = Pick<AsyncBuildOptions, "signal" | "onProgress"> & {
+  /** Returned as it is if nothing has changed that it depends on. */
+  readonly previous?: Geometry | undefined;
+};
+
 /**
- * Sorts a scene's meshes into a tree.
+ * Sorts what is not unrolled into a tree, in a worker if it is much.
  *
- * @param previous - returned as it is if the scene's meshes and origin are still the same.
- * @returns undefined for a scene without meshes.
+ * @returns undefined for a scene that has no such thing.
+ * @throws the reason of `signal`.
  */
-export async function prepareGeometry(scene: ResolvedScene, previous?: Geometry): Promise<Geometry | undefined> {
-  const meshes = meshesOf(scene);
-  if (meshes.length === 0) return undefined;
+export async function prepareGeometry(
+  scene: ResolvedScene,
+  { previous, ...options }: GeometryOptions = {},
+): Promise<Geometry | undefined> {
   const origin = scene.camera.target;
+  const meshes = meshesOf(scene);
+  const treeShapes = treeShapesOf(scene, origin);
+  if (meshes.length + treeShapes.length === 0) return undefined;
   const emits = (object: MeshObject) => scene.materials[object.material]!.emission.some((value) => value > 0);
   const emitting = meshes.flatMap(({ object, id }) => (emits(object) ? [id] : []));
-  if (previous && isSame(previous, meshes, origin) && haveSameTexels(previous.textures, scene.textures)) {
+  if (previous && isSame(previous, meshes, treeShapes, origin) && haveSameTexels(previous.textures, scene.textures)) {
     return String(emitting) === String(previous.emitting) ? previous : withLamps(previous, emitting);
   }
 
@@ -80,22 +94,20 @@ export async function prepareGeometry(scene: ResolvedScene, previous?: Geometry)
     triangleCount += object.indices.length / 3;
     return { object, id, positions, firstTriangle, ...boundsOf(positions) };
   });
-  const bounds = new Float32Array(6 * triangleCount);
+  const bounds = new Float32Array(6 * (triangleCount + treeShapes.length));
   for (const { object, positions, firstTriangle } of parts) {
     bounds.set(triangleBounds(positions, object.indices), 6 * firstTriangle);
   }
-  const bvh = buildBvh(bounds, { maxLeaf: MAX_LEAF });
-  const slotOf = new Uint32Array(triangleCount);
+  for (const [i, { shape }] of treeShapes.entries()) bounds.set(boundsOfShape(shape), 6 * (triangleCount + i));
+  const bvh = await buildBvhAsync(bounds, { maxLeaf: MAX_LEAF, ...options });
+  const slotOf = new Uint32Array(bvh.order.length);
   for (let slot = 0; slot < bvh.order.length; slot++) slotOf[bvh.order[slot]!] = slot;
+  const shapes = new Map(treeShapes.map(({ id }, i) => [id, slotOf[triangleCount + i]!]));
   const { textures } = scene;
   const texels = packTexels(textures);
-  const data = { nodes: packTree(bvh), ...packItems(parts, slotOf, texels !== undefined), texels };
-  return withLamps({ origin, parts, textures, triangleCount, slotOf, depth: bvh.depth, data }, emitting);
-}
-
-/** Whether there is something to prepare. */
-export function hasMeshes(scene: ResolvedScene): boolean {
-  return meshesOf(scene).length > 0;
+  const data = { nodes: packTree(bvh), ...packItems(parts, treeShapes, slotOf, texels !== undefined), texels };
+  const { depth } = bvh;
+  return withLamps({ origin, parts, treeShapes, shapes, textures, triangleCount, slotOf, depth, data }, emitting);
 }
 
 function meshesOf(scene: ResolvedScene): { object: MeshObject; id: number }[] {
@@ -139,12 +151,14 @@ function boundsOf(positions: Float32Array): { lower: Vec3; upper: Vec3 } {
 }
 
 function isSame(
-  { parts, origin: before }: Geometry,
+  { parts, treeShapes: shapesBefore, origin: before }: Geometry,
   meshes: readonly { object: MeshObject; id: number }[],
+  treeShapes: readonly TreeShape[],
   origin: Vec3,
 ): boolean {
   const hasMoved = length(subtract(origin, before)) > 0;
   if (hasMoved || parts.length !== meshes.length) return false;
+  if (JSON.stringify(treeShapes) !== JSON.stringify(shapesBefore)) return false;
   return parts.every((part, i) => {
     const { object, id } = meshes[i]!;
     return id === part.id && GEOMETRY_FIELDS.every((field) => areEqual(object[field], part.object[field]));

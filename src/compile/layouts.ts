@@ -69,4 +69,5 @@ export const VIEW = defineStruct({
   filmSize: "vec2u",
   targetSize: "vec2u",
   exposure: "f32",
+  toneMap: "u32",
 });

@@ -14,12 +14,16 @@ export async function linkModule(rootModuleName: string): Promise<string> {
   return dest;
 }
 
-/** Links the tracer for one scene: `sceneModule` is what `emitScene` wrote. */
-export async function linkProgram(sceneModule: string, features: Features): Promise<string> {
+/** Links the tracer for one scene, or what picks in it: `sceneModule` is what `emitScene` wrote. */
+export async function linkProgram(
+  sceneModule: string,
+  features: Features,
+  rootModuleName: "trace" | "pick" = "trace",
+): Promise<string> {
   const estimator = MODULES[features.UNIFORM ? "./uniform.wgsl" : "./path.wgsl"]!;
   const { dest } = await link({
     weslSrc: { ...MODULES, "./scene.wgsl": sceneModule, "./estimator.wgsl": estimator },
-    rootModuleName: "trace",
+    rootModuleName,
     conditions: features,
     sourceMap: false,
   });

@@ -1,5 +1,6 @@
 import type { MeshPart } from "./geometry";
 import { NO_NORMAL, packDirections } from "./octahedral";
+import { ITEM_KINDS, itemOf, type TreeShape } from "./treeShapes";
 
 const ITEM_WORDS = 12;
 
@@ -12,13 +13,18 @@ export type PackedItems = {
 };
 
 /**
- * The triangles of all meshes as `wgsl/tree.wgsl` and `wgsl/mesh.wgsl` read them, by slot. An item is 48 bytes: vertex a, the
- * primitive's id, vertex b, 1 if the front is where a, b, c run clockwise and else 0, vertex c, 4 unused bytes. Vertices are in
- * lexicographic order, as f32 keeps them: triangles that share an edge then agree on its direction, whatever their own.
+ * The items of the tree as `wgsl/tree.wgsl` and `wgsl/mesh.wgsl` read them, by slot. An item is 48 bytes: three f32, the
+ * primitive's id, three f32, the kind, four f32. A triangle's vertices are in lexicographic order, as f32 keeps them: triangles
+ * that share an edge then agree on its direction, whatever their own.
  *
- * @param slotOf - by triangle, numbered through all meshes.
+ * @param slotOf - by item: the triangles of all meshes, then the shapes.
  */
-export function packItems(parts: readonly MeshPart[], slotOf: Uint32Array, hasTextures: boolean): PackedItems {
+export function packItems(
+  parts: readonly MeshPart[],
+  shapes: readonly TreeShape[],
+  slotOf: Uint32Array,
+  hasTextures: boolean,
+): PackedItems {
   const count = Math.max(slotOf.length, 1); // WebGPU has no empty buffers
   const items = new ArrayBuffer(4 * ITEM_WORDS * count);
   const [floats, words] = [new Float32Array(items), new Uint32Array(items)];
@@ -36,7 +42,7 @@ export function packItems(parts: readonly MeshPart[], slotOf: Uint32Array, hasTe
       const slot = slotOf[firstTriangle + i / 3]!;
       const at = ITEM_WORDS * slot;
       words[at + 3] = id;
-      words[at + 7] = isTurned ? 1 : 0;
+      words[at + 7] = isTurned ? ITEM_KINDS.turnedTriangle : ITEM_KINDS.meshTriangle;
       for (let corner = 0; corner < 3; corner++) {
         const vertex = corners[corner]!;
         for (let axis = 0; axis < 3; axis++) floats[at + 4 * corner + axis] = positions[3 * vertex + axis]!;
@@ -47,6 +53,14 @@ export function packItems(parts: readonly MeshPart[], slotOf: Uint32Array, hasTe
         }
       }
     }
+  }
+  for (const [i, { id, shape }] of shapes.entries()) {
+    const { kind, vectors, w } = itemOf(shape);
+    const at = ITEM_WORDS * slotOf[slotOf.length - shapes.length + i]!;
+    for (const [row, vector] of vectors.entries()) floats.set(vector, at + 4 * row);
+    words[at + 3] = id;
+    words[at + 7] = kind;
+    floats[at + 11] = w;
   }
   return { items, normals: normals?.buffer, uvs: uvs?.buffer };
 }

@@ -1,8 +1,10 @@
 import { dielectricF0 } from "../scene/metals";
 import type { ResolvedMaterial, Rgb } from "../scene/schema";
 import type { StructFields, StructLayout, StructValue } from "./defineStruct";
+import { hasManyLights } from "./emitLights";
 import { type Emitter, LIGHT_KINDS } from "./emitters";
 import { alphaOf, hasHugeSpheres, hasRims, hasSpecularLobe } from "./features";
+import type { Geometry } from "./geometry";
 import { FACTORS, LIGHT, MATERIAL, TEXTURE } from "./layouts";
 import { factorRows, hasTextures, type Textures, textureRows } from "./packTextures";
 import type { Primitive, Shape } from "./primitives";
@@ -13,12 +15,13 @@ const NO_PRIMITIVE = 0xffffffff;
 const VEC4_BYTES = 16;
 
 /**
- * The bytes of the uniform `scene`: environment, materials, shapes, anchors, lights, factors, textures, slots, in the order and with the array
+ * The bytes of `scene`: environment, materials, shapes, anchors, lights, their bounds, factors, textures, slots, in the order and with the array
  * lengths of the struct that `emitScene` declares. Every member is a multiple of 16 bytes long.
  */
 export function packScene(
   primitives: readonly Primitive[],
   emitters: readonly Emitter[],
+  geometry: Geometry | undefined,
   environment: Rgb,
   textures: Textures,
   slots: readonly number[],
@@ -30,7 +33,8 @@ export function packScene(
     orZeros(rows(MATERIAL, materials), MATERIAL.bytes),
     orZeros(floats(shapes), VEC4_BYTES),
     orZeros(floats(anchorRows(primitives).flat()), VEC4_BYTES),
-    orZeros(rows(LIGHT, lightRows(emitters)), LIGHT.bytes),
+    orZeros(rows(LIGHT, lightRows(primitives, emitters, geometry)), LIGHT.bytes),
+    floats(hasManyLights(emitters) ? lightBoundRows(primitives, emitters).flat() : []),
     rows(FACTORS, hasTextures(textures) ? factorRows(primitives, textures) : []),
     rows(TEXTURE, textureRows(textures)),
     orZeros(floats(slots), VEC4_BYTES),
@@ -132,12 +136,34 @@ function anchorRow(shape: Shape): number[] {
 }
 
 /** The emitters, as the shader's table wants them. */
-export function lightRows(emitters: readonly Emitter[]) {
+export function lightRows(
+  primitives: readonly Primitive[],
+  emitters: readonly Emitter[],
+  geometry: Geometry | undefined,
+) {
   return emitters.map((emitter) => ({
     ...emitter,
     kind: LIGHT_KINDS[emitter.kind],
-    id: emitter.kind === "mesh" ? NO_PRIMITIVE : (emitter.primitive ?? NO_PRIMITIVE),
+    id: emitter.kind === "mesh" ? NO_PRIMITIVE : hitId(emitter.primitive, primitives.length, geometry),
   }));
+}
+
+/** What a ray that hits a primitive names. */
+function hitId(id: number | undefined, primitiveCount: number, geometry: Geometry | undefined): number {
+  if (id === undefined) return NO_PRIMITIVE;
+  const slot = geometry?.shapes.get(id);
+  return slot === undefined ? id : primitiveCount + slot;
+}
+
+/** Bounds and fronts of lights, and bounds of primitives, where the shader looks them up: see `emitScene`. */
+function lightBoundRows(primitives: readonly Primitive[], emitters: readonly Emitter[]): number[][] {
+  const byPrimitive = new Map(emitters.map(({ primitive, bound }) => [primitive, bound]));
+  const row = (bound: Emitter["bound"] | undefined) => (bound ? [...bound.center, bound.radius] : [0, 0, 0, 0]);
+  return [
+    ...emitters.map(({ bound }) => row(bound)),
+    ...emitters.map(({ front = [0, 0, 0], strength }) => [...front, strength]),
+    ...primitives.map((_, id) => row(byPrimitive.get(id))),
+  ];
 }
 
 function rows<F extends StructFields>(layout: StructLayout<F>, values: readonly StructValue<F>[]): ArrayBuffer {

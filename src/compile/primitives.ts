@@ -55,24 +55,50 @@ export type Primitive = {
  * @param geometry - of the scene's meshes.
  */
 export function primitivesOf(scene: ResolvedScene, origin: Vec3, geometry?: Geometry): Primitive[] {
-  const reach = length(subtract(scene.camera.position, origin));
+  const reach = reachOf(scene, origin);
   const objects = scene.objects.map((object, id) => {
     const material = scene.materials[object.material]!;
     const shape = object.type === "mesh" ? meshShape(id, geometry) : shapeOf(object, origin, reach);
     return { shape, material, emission: material.emission };
   });
-  const lights = scene.lights.flatMap((light): Primitive[] =>
-    light.type === "sphere"
-      ? [
-          {
-            shape: sphereOf(subtract(light.position, origin), light.radius, reach),
-            material: "black",
-            emission: sphereLightRadiance(light),
-          },
-        ]
-      : [],
-  );
+  const lights = sphereLights(scene).map((light): Primitive => {
+    const shape = sphereOf(subtract(light.position, origin), light.radius, reach);
+    return { shape, material: "black", emission: sphereLightRadiance(light) };
+  });
   return [...objects, ...lights];
+}
+
+/** The scene's shapes, meshes aside, each with the id of its primitive. */
+export function shapesOf(scene: ResolvedScene, origin: Vec3): { readonly id: number; readonly shape: Shape }[] {
+  const reach = reachOf(scene, origin);
+  return [
+    ...scene.objects.flatMap((object, id) =>
+      object.type === "mesh" ? [] : [{ id, shape: shapeOf(object, origin, reach) }],
+    ),
+    ...sphereLights(scene).map(({ position, radius }, i) => ({
+      id: scene.objects.length + i,
+      shape: sphereOf(subtract(position, origin), radius, reach),
+    })),
+  ];
+}
+
+/** Distance of the camera from the origin: the size of what is in view. */
+function reachOf(scene: ResolvedScene, origin: Vec3): number {
+  return length(subtract(scene.camera.position, origin));
+}
+
+function sphereLights({ lights }: ResolvedScene) {
+  return lights.flatMap((light) => (light.type === "sphere" ? [light] : []));
+}
+
+/** One of a scene's objects or lights, by its index there. */
+export type ScenePart = { readonly kind: "object" | "light"; readonly index: number };
+
+/** What a primitive of `primitivesOf` belongs to. */
+export function partOf({ objects, lights }: ResolvedScene, id: number): ScenePart {
+  if (id < objects.length) return { kind: "object", index: id };
+  const spheres = [...lights.keys()].filter((index) => lights[index]!.type === "sphere");
+  return { kind: "light", index: spheres[id - objects.length]! };
 }
 
 /** Radiance of a diffuse sphere that gives `power` watts: power / (4π²·radius²), by area × π. */
@@ -80,7 +106,7 @@ function sphereLightRadiance(light: ResolvedLight & { type: "sphere" }): Rgb {
   return scale(light.power, 1 / (4 * Math.PI ** 2 * light.radius ** 2));
 }
 
-/** @param reach - distance of the camera from the origin: the size of what is in view. */
+/** @param reach - see `reachOf`. */
 function sphereOf(center: Vec3, radius: number, reach: number): Shape {
   const distance = length(center);
   const isHuge = radius > HUGE * Math.max(Math.abs(distance - radius), reach);

@@ -22,6 +22,11 @@ export const SETTING_NAMES = Object.keys(SETTING_ATTRIBUTES) as readonly Setting
 /** Stops; 2^±32 is more than any display or scene spans, and keeps the product finite. */
 export const EXPOSURE_RULE: NumberRule = { min: -32, max: 32, isInteger: false };
 
+/** When the scene is fetched: at once, or when the element is less than a screen away from what is seen of the page. */
+export const LOADING_MODES = ["eager", "lazy"] as const;
+
+export type LoadingMode = (typeof LOADING_MODES)[number];
+
 /** Every attribute the element reacts to. */
 export const OBSERVED_ATTRIBUTES: readonly string[] = [
   "src",
@@ -30,13 +35,23 @@ export const OBSERVED_ATTRIBUTES: readonly string[] = [
   "stats",
   "paused",
   "alt",
+  "poster",
+  "loading",
   "exposure",
+  "tone-map",
+  "camera-orbit",
   ...SETTING_NAMES.map((name) => SETTING_ATTRIBUTES[name].attribute),
 ];
 
 /** The setting an attribute stands for, if any. */
 export function settingOfAttribute(attribute: string): SettingName | undefined {
   return SETTING_NAMES.find((name) => SETTING_ATTRIBUTES[name].attribute === attribute);
+}
+
+/** Reads one of a few words, whatever its case. An absent or other one is the fallback. */
+export function parseKeyword<T extends string>(text: string | null, words: readonly T[], fallback: T): T {
+  const wanted = text?.trim().toLowerCase();
+  return words.find((word) => word === wanted) ?? fallback;
 }
 
 /**

@@ -1,4 +1,5 @@
 import { WebGpuError } from "../errors";
+import type { View } from "../renderer/display";
 import type { PathTracer } from "../renderer/pathTracer";
 import type { Settings } from "../renderer/settings";
 import type { PixelSize } from "./canvasSize";
@@ -20,9 +21,13 @@ export class CanvasView {
   #samplesPerFrame: number;
   /** What the last frame was to show, compared by identity: the tracer keeps its objects until they change. */
   #shown: readonly object[];
-  #exposure = 0;
+  #look: View = {};
   /** The canvas does not show what it would show if the film were drawn now. */
   #isStale = true;
+  #isCalm = false;
+  /** Samples in the film at the last frame, and in the picture on the canvas; 0 where that is to be drawn in any case. */
+  #samples = 0;
+  #drawnSamples = 0;
 
   /** @throws {WebGpuError} if the canvas has been given to another kind of context. */
   constructor(tracer: PathTracer, canvas: HTMLCanvasElement) {
@@ -41,10 +46,15 @@ export class CanvasView {
     });
   }
 
-  /** Brightness in stops. */
-  set exposure(stops: number) {
-    this.#isStale ||= stops !== this.#exposure;
-    this.#exposure = stops;
+  /** How radiance becomes a picture. */
+  set look(look: View) {
+    this.#look = look;
+    this.refresh();
+  }
+
+  /** Whether the noise should not flicker: the picture then changes when it has twice the samples, and half the variance. */
+  set isCalm(isCalm: boolean) {
+    this.#isCalm = isCalm;
   }
 
   /** Of the picture at rest. */
@@ -66,6 +76,7 @@ export class CanvasView {
   /** Shows the film again, though it may not have changed; after the canvas was moved, say. */
   refresh(): void {
     this.#isStale = true;
+    this.#drawnSamples = 0;
   }
 
   /**
@@ -78,10 +89,11 @@ export class CanvasView {
     const { tracer } = this;
     this.#fitFilm(performance.now());
     if (tracer.frame()) this.#isStale = true;
-    if (!this.#isStale) return false;
+    if (!this.#isStale || !this.#isDue()) return false;
     // Until its first sample is complete the film has nothing to show, and the canvas keeps its last picture.
     if (!this.#present()) return false;
     this.#isStale = false;
+    this.#drawnSamples = this.#samples;
     const { width, height } = this.#size;
     if (this.#canvas.width === width && this.#canvas.height === height) return true;
     // Setting a canvas's size clears it, so this is left until there is something to draw, which then is drawn again.
@@ -96,8 +108,15 @@ export class CanvasView {
     this.tracer.dispose();
   }
 
+  #isDue(): boolean {
+    const { samples, converged } = this.tracer.stats;
+    if (samples < this.#samples) this.#drawnSamples = 0;
+    this.#samples = samples;
+    return !this.#isCalm || converged || samples >= 2 * this.#drawnSamples;
+  }
+
   #present(): boolean {
-    return this.tracer.present(this.#context, { exposure: this.#exposure });
+    return this.tracer.present(this.#context, this.#look);
   }
 
   #toShow(): readonly object[] {

@@ -5,7 +5,7 @@ export type ErrorText = {
   readonly title: string;
   /** One line each. */
   readonly lines: readonly string[];
-  /** Whether the lines speak of code: paths into a scene. */
+  /** Whether the lines speak to the scene's author, of paths into it. */
   readonly isCode?: boolean;
 };
 
@@ -13,6 +13,12 @@ export type ErrorText = {
 export function describeError(error: Error): ErrorText {
   if (error instanceof SceneError) return describeIssues(error.issues);
   if (error instanceof UnsupportedError) return { title: "This scene cannot be shown yet", lines: [error.message] };
+  if (isOutOfMemory(error)) {
+    return {
+      title: "The GPU is out of memory",
+      lines: ["A smaller scene or a smaller picture may fit.", error.message],
+    };
+  }
   if (error instanceof WebGpuError) return { title: "No picture without WebGPU", lines: [error.message] };
   return { title: "The scene could not be loaded", lines: [error.message] };
 }
@@ -22,6 +28,10 @@ export function missingWebGpu(page: { readonly hasGpu: boolean; readonly isSecur
   if (page.hasGpu) return undefined;
   if (!page.isSecure) return "WebGPU needs a secure page: serve it over https, or from localhost.";
   return "This browser has no WebGPU. Recent versions of Chrome, Edge, Safari and Firefox do; it may need to be enabled.";
+}
+
+function isOutOfMemory({ cause }: Error): boolean {
+  return "GPUOutOfMemoryError" in globalThis && cause instanceof GPUOutOfMemoryError;
 }
 
 function describeIssues(issues: readonly SceneIssue[]): ErrorText {

@@ -1,9 +1,14 @@
 import type { PathTracer } from "../renderer/pathTracer";
+import type { Light, SceneObject } from "../scene/schema";
+import type { LoadProgressDetail } from "./loadProgress";
 
-/** `ready`: the scene is loaded and compiled and its first picture is on the page. Once per scene. */
+/**
+ * `ready`: the scene is loaded and compiled and its first picture is on the page. Once per scene, and again with a new
+ * tracer after the device was lost.
+ */
 export type ReadyDetail = {
   readonly tracer: PathTracer;
-  /** Milliseconds from the moment the scene was asked for (the element connected, or `src` or `scene` set). */
+  /** Milliseconds from the moment the scene was asked for (the element connected, `src` or `scene` set, a device lost). */
   readonly milliseconds: number;
 };
 
@@ -24,6 +29,26 @@ export type ErrorDetail = {
   readonly error: Error;
 };
 
+/**
+ * `devicelost`: the browser took the GPU away. The element shows the same scene from the same camera again by itself, on a
+ * new device: `ready` follows, or `error` where there is none any more.
+ */
+export type DeviceLostDetail = {
+  /** What the browser says about it; may be "". */
+  readonly message: string;
+  /** How often this has happened to the element. */
+  readonly count: number;
+};
+
+/**
+ * `pick`: an object or a light of the scene has been chosen, in the picture or in the panel, whose knobs it now has; or none
+ * any more. `index` is its place in `objects` or `lights`.
+ */
+export type PickDetail =
+  | { readonly kind: "object"; readonly index: number; readonly object: SceneObject }
+  | { readonly kind: "light"; readonly index: number; readonly light: Light }
+  | { readonly kind: "none" };
+
 /** `loadwarnings`: a file was read, and has something that is not shown, or not as it should be. */
 export type LoadWarningsDetail = {
   /** One sentence each. */
@@ -32,10 +57,13 @@ export type LoadWarningsDetail = {
 
 /** The events of `<rt-viewer>`. None of them bubbles. */
 export interface RtViewerEventMap {
+  loadprogress: CustomEvent<LoadProgressDetail>;
   ready: CustomEvent<ReadyDetail>;
   progress: CustomEvent<ProgressDetail>;
   converged: CustomEvent<ConvergedDetail>;
+  devicelost: CustomEvent<DeviceLostDetail>;
   error: CustomEvent<ErrorDetail>;
+  pick: CustomEvent<PickDetail>;
   loadwarnings: CustomEvent<LoadWarningsDetail>;
 }
 

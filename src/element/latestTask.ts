@@ -8,6 +8,11 @@ export class LatestTask {
   #controller: AbortController | undefined;
   #lastCommit: Promise<void> = Promise.resolve();
 
+  /** Whether a task is under way that nobody has cancelled. */
+  get isRunning(): boolean {
+    return this.#controller !== undefined;
+  }
+
   /**
    * @returns whether this task was carried out to its end and no newer one came meanwhile.
    * @throws what a step threw, unless the task was superseded: then nobody waits for it any more.
@@ -28,6 +33,8 @@ export class LatestTask {
     } catch (error) {
       if (signal.aborted) return false;
       throw error;
+    } finally {
+      if (this.#controller === controller) this.#controller = undefined;
     }
     return !signal.aborted;
   }

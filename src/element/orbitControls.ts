@@ -17,11 +17,12 @@ const KEY_ZOOM = 1.1;
 const WHEEL_ZOOM_PER_PIXEL = 0.0015; // a notch of 100 px is a step of 16 %
 const WHEEL_LINE_PIXELS = 16;
 const PINCH_GAIN = 8;
+const TOUCH_SLOP_PIXELS = 8; // less has no direction yet
 const MAX_WHEEL_PIXELS = 300; // some mice send a whole page per notch
 
 /**
- * Lets pointer, wheel and keyboard move a camera: drag turns; right-drag, shift-drag and two fingers pan; wheel and pinch
- * zoom; arrow keys turn, with shift they pan; + and − zoom.
+ * Lets pointer, wheel and keyboard move a camera: drag turns, unless it is a touch that scrolls the page; right-drag,
+ * shift-drag and two fingers pan; wheel and pinch zoom; arrow keys turn, with shift they pan; + and − zoom.
  *
  * @param surface - takes the events; its height is the measure of every gesture.
  * @param signal - ends it: every listener goes.
@@ -47,6 +48,8 @@ type Move = (step: (camera: ResolvedCamera) => ResolvedCamera) => void;
 
 function bindPointers(surface: HTMLElement, target: OrbitTarget, move: Move, signal: AbortSignal): void {
   const pointers = new Map<number, Point>();
+  /** A single touch of which it is not known yet whether it scrolls the page, and where it began. */
+  let undecided: { readonly id: number; readonly from: Point } | undefined;
 
   surface.addEventListener(
     "pointerdown",
@@ -54,6 +57,8 @@ function bindPointers(surface: HTMLElement, target: OrbitTarget, move: Move, sig
       if (event.button === 1) return; // the middle button scrolls the page
       surface.setPointerCapture(event.pointerId);
       pointers.set(event.pointerId, pointOf(event));
+      const isFirstTouch = event.pointerType === "touch" && pointers.size === 1;
+      undecided = isFirstTouch ? { id: event.pointerId, from: pointOf(event) } : undefined;
     },
     { signal },
   );
@@ -63,6 +68,11 @@ function bindPointers(surface: HTMLElement, target: OrbitTarget, move: Move, sig
       if (!pointers.has(event.pointerId)) return;
       const before = [...pointers.values()];
       pointers.set(event.pointerId, pointOf(event));
+      // Some moves come before the browser takes a touch away to scroll: the view must not jump with them.
+      if (undecided?.id === event.pointerId) {
+        if (!isForView(undecided.from, pointOf(event), surface)) return;
+        undecided = undefined;
+      }
       const after = [...pointers.values()];
       const height = Math.max(1, surface.clientHeight);
       if (after.length === 1) dragOne(before[0]!, after[0]!, height, isPanning(event), move);
@@ -74,6 +84,13 @@ function bindPointers(surface: HTMLElement, target: OrbitTarget, move: Move, sig
     surface.addEventListener(type, (event) => void pointers.delete(event.pointerId), { signal });
   }
   surface.addEventListener("contextmenu", (event) => event.preventDefault(), { signal });
+}
+
+/** Whether a touch has set out in a direction that the page leaves to the view (see `touch-action`). */
+function isForView(from: Point, to: Point, surface: HTMLElement): boolean {
+  const [across, upright] = [Math.abs(to.x - from.x), Math.abs(to.y - from.y)];
+  if (Math.max(across, upright) < TOUCH_SLOP_PIXELS) return false;
+  return across > upright || getComputedStyle(surface).touchAction === "none";
 }
 
 function dragOne(before: Point, after: Point, height: number, panning: boolean, move: Move): void {

@@ -1,7 +1,11 @@
+import { TONE_MAPS, type ToneMap } from "../gpu/blitPass";
 import { DEFAULT_SETTINGS, type Settings } from "../renderer/settings";
 import {
   EXPOSURE_RULE,
+  LOADING_MODES,
+  type LoadingMode,
   type NumberRule,
+  parseKeyword,
   parseNumber,
   SETTING_ATTRIBUTES,
   SETTING_NAMES,
@@ -66,6 +70,46 @@ export class ReflectedElement extends BrowserElement {
   }
   set alt(value: string) {
     this.setAttribute("alt", value);
+  }
+
+  /** URL of an image that is shown until there is a picture. Attribute `poster`, default "". The slot `poster` overrides it. */
+  get poster(): string {
+    return this.getAttribute("poster") ?? "";
+  }
+  set poster(value: string) {
+    this.setAttribute("poster", value);
+  }
+
+  /**
+   * `"lazy"` fetches and compiles nothing before the element is less than a screen away from what is seen of the page.
+   * Attribute `loading`, default `"eager"`.
+   */
+  get loading(): LoadingMode {
+    return parseKeyword(this.getAttribute("loading"), LOADING_MODES, "eager");
+  }
+  set loading(value: LoadingMode) {
+    this.setAttribute("loading", value);
+  }
+
+  /**
+   * Where the picture is seen from, around the target of the scene's camera: azimuth, elevation and distance, such as
+   * `"30deg 15deg 5m"`. Attribute `camera-orbit`, default "": as the scene has it. Units: `deg`, `rad`; `m`, `cm`, `mm`;
+   * `auto` in place of a part leaves it as the scene has it. Setting it moves the camera; where a visitor moves the camera
+   * is in `camera`, not here.
+   */
+  get cameraOrbit(): string {
+    return this.getAttribute("camera-orbit") ?? "";
+  }
+  set cameraOrbit(value: string) {
+    this.setAttribute("camera-orbit", value);
+  }
+
+  /** How radiance is brought into a display's range: `"none"`, `"aces"` or `"agx"`. Attribute `tone-map`, default `"aces"`. */
+  get toneMap(): ToneMap {
+    return parseKeyword(this.getAttribute("tone-map"), TONE_MAPS, "aces");
+  }
+  set toneMap(value: ToneMap) {
+    this.setAttribute("tone-map", value);
   }
 
   /** Brightness of the picture in stops: +1 doubles it. Attribute `exposure`, −32…32, default 0. */
@@ -137,9 +181,9 @@ export class ReflectedElement extends BrowserElement {
   protected settingsChanged(): void {}
 
   /** Honours properties that were set before the element was defined: they hide the accessors until set again. */
-  protected upgradeProperties(names: readonly string[]): void {
-    for (const name of names) {
-      if (!Object.hasOwn(this, name)) continue;
+  protected upgradeProperties(): void {
+    for (const name of Object.keys(this)) {
+      if (!(name in Object.getPrototypeOf(this))) continue;
       const value: unknown = Reflect.get(this, name);
       Reflect.deleteProperty(this, name);
       Reflect.set(this, name, value);

@@ -1,58 +1,68 @@
-import { WebGpuError } from "../errors";
-import type { PanelKnobs } from "../panel/panel";
+import { RtViewerError, WebGpuError } from "../errors";
+import type { PanelKnobs, ScenePart } from "../panel/panel";
+import type { View } from "../renderer/display";
 import type { PathTracer } from "../renderer/pathTracer";
 import type { Stats } from "../renderer/stats";
 import type { ResolvedCamera, Scene } from "../scene/schema";
 import { OBSERVED_ATTRIBUTES, settingOfAttribute } from "./attributes";
+import { parseCameraOrbit } from "./cameraOrbit";
+import { createKeyHelp, labelCanvas } from "./canvasLabel";
 import { canvasSize } from "./canvasSize";
+import { Curtain } from "./curtain";
 import { describeError, missingWebGpu } from "./describeError";
 import type { RtViewerEventMap } from "./events";
 import { fetchScene } from "./fetchScene";
+import { LiveRegion } from "./liveRegion";
 import { MessageBox } from "./messageBox";
-import { PanelHost } from "./panelHost";
+import { PanelHost, type PanelSource } from "./panelHost";
+import { bindPicking, pickDetail } from "./picking";
 import { ReflectedElement } from "./reflectedElement";
 import { RenderLoop } from "./renderLoop";
 import { Stage } from "./stage";
 import { elementStyles } from "./styles";
-import { currentBox, watchBox, watchVisibility } from "./watchers";
+import { currentBox, watchBox, watchNearness, watchReducedMotion, watchVisibility } from "./watchers";
 
 /** How long an element may be out of the document before it gives back the GPU: a move in the document costs nothing. */
 const DISPOSAL_GRACE_MS = 10;
 
-const DEFAULT_LABEL = "3D scene";
-
-/** What a page may have set before the element was defined. */
-const UPGRADED_PROPERTIES = [
-  "src",
-  "controls",
-  "drop",
-  "stats",
-  "showStats",
-  "paused",
-  "alt",
-  "exposure",
-  "settings",
-  "scene",
-];
-
 /**
  * `<rt-viewer src="scene.json" controls stats></rt-viewer>`: a path-traced scene in a page.
  *
- * Its attributes and properties are described at `ReflectedElement`, its events at `RtViewerEventMap`. Parts for styling:
- * `canvas`, `panel`, `message`.
+ * Its attributes and properties are described at `ReflectedElement`, its events at `RtViewerEventMap`.
+ *
+ * @slot poster - Shown until there is a picture, in place of the attribute `poster`.
+ * @slot fallback - Shown where there can be no picture, in place of the message; not where the scene has a mistake.
+ * @csspart canvas - The picture.
+ * @csspart poster - The image of the attribute `poster`.
+ * @csspart progress - The bar that shows how far a scene is that takes long.
+ * @csspart panel - The corner with figures and knobs.
+ * @csspart message - What is said in place of a picture that cannot be shown.
+ * @cssprop --rt-viewer-background - Behind messages, and where there is no picture yet.
+ * @cssprop --rt-viewer-color - Text of messages.
+ * @cssprop --rt-viewer-error-color - Titles of messages.
+ * @cssprop --rt-viewer-accent-color - The progress bar.
+ * @cssprop --rt-viewer-focus-color - Outline while the keyboard moves the camera.
+ * @cssprop [--rt-viewer-touch-action=pan-y] - With controls: a finger that sets out upright scrolls the page, one that
+ * sets out sideways turns the view, two pan and zoom. `none` takes every touch.
  */
 export class RtViewerElement extends ReflectedElement {
   static readonly observedAttributes = OBSERVED_ATTRIBUTES;
 
   readonly #canvas: HTMLCanvasElement;
+  readonly #curtain: Curtain;
+  readonly #liveRegion: LiveRegion;
   readonly #message: MessageBox;
   readonly #panel: PanelHost;
   readonly #stage: Stage;
   readonly #loop = new RenderLoop(() => this.#tick());
   #scene: Scene | undefined;
+  /** What the panel made of the scene in the file. */
+  #edited: Scene | undefined;
   /** The scene or URL that was asked for last; `undefined` when there is none, or the GPU has been given back. */
   #requested: Scene | string | undefined;
   #isVisible = false;
+  /** It has been close enough to what is seen of the page for a lazy element to load. */
+  #wasNear = false;
   /** Ends the listeners and observers of the time the element is in a document. */
   #connection: AbortController | undefined;
   #controls: AbortController | undefined;
@@ -67,22 +77,43 @@ export class RtViewerElement extends ReflectedElement {
     root.adoptedStyleSheets = [elementStyles()];
     this.#canvas = this.ownerDocument.createElement("canvas");
     this.#canvas.setAttribute("part", "canvas");
-    this.#canvas.setAttribute("role", "img");
+    this.#curtain = new Curtain(this.ownerDocument);
+    this.#liveRegion = new LiveRegion(this.ownerDocument);
     this.#message = new MessageBox(this.ownerDocument);
     this.#panel = new PanelHost(this.ownerDocument);
-    root.append(this.#canvas, this.#panel.element, this.#message.element);
+    const parts = [this.#curtain, this.#panel, this.#message, this.#liveRegion].map(({ element }) => element);
+    root.append(this.#canvas, ...parts, createKeyHelp(this.ownerDocument));
     this.#stage = new Stage(this.#canvas, {
+      onLoadProgress: (detail) => {
+        this.#curtain.showProgress(detail);
+        this.#emit("loadprogress", detail);
+      },
       onScene: () => this.#onScene(),
-      onReady: (detail) => this.#emit("ready", detail),
+      onReady: (detail) => {
+        this.#curtain.open();
+        this.#liveRegion.noteReady();
+        this.#emit("ready", detail);
+      },
       onProgress: (detail) => this.#emit("progress", detail),
-      onConverged: (detail) => this.#emit("converged", detail),
+      onConverged: (detail) => {
+        this.#liveRegion.noteConverged();
+        this.#emit("converged", detail);
+      },
+      onDeviceLost: (detail) => {
+        this.#showPanel();
+        this.#emit("devicelost", detail);
+      },
       onError: (error) => this.#fail(error),
     });
   }
 
-  /** The scene shown, as it was set. Setting one overrides `src`; `undefined` gives way to `src` again. */
+  /**
+   * The scene shown: as it was set, or as it was changed in the panel, with every default filled in and the camera where its
+   * author put it; `undefined` while what `src` names is shown unchanged. Setting one overrides `src`; `undefined` gives way to
+   * `src` again.
+   */
   get scene(): Scene | undefined {
-    return this.#scene;
+    return this.#scene ?? this.#edited;
   }
   set scene(scene: Scene | undefined) {
     this.#opening?.abort();
@@ -90,7 +121,10 @@ export class RtViewerElement extends ReflectedElement {
     this.#load();
   }
 
-  /** Where the picture is seen from: the scene's camera, then wherever it was moved. `undefined` before there is a scene. */
+  /**
+   * Where the picture is seen from: the scene's camera, then wherever it was moved. `undefined` before there is a scene.
+   * Setting it changes the fields it names; before there is a scene, they are kept for it.
+   */
   get camera(): ResolvedCamera | undefined {
     return this.#stage.camera;
   }
@@ -110,14 +144,15 @@ export class RtViewerElement extends ReflectedElement {
   }
 
   /**
-   * Figures of the tracer: a live object. Setting a boolean sets the attribute `stats` (see `showStats`), which is what
-   * frameworks do that set properties rather than attributes.
+   * Figures of the tracer: a live object. Setting it sets the attribute `stats`, a text as it is and a boolean as `showStats`
+   * does, because frameworks set a property of that name rather than the attribute.
    */
   get stats(): Stats | undefined {
     return this.tracer?.stats;
   }
-  set stats(isShown: boolean) {
-    this.showStats = isShown;
+  set stats(isShown: boolean | "" | "folded") {
+    if (typeof isShown === "string") this.setAttribute("stats", isShown);
+    else this.showStats = isShown;
   }
 
   /**
@@ -142,8 +177,37 @@ export class RtViewerElement extends ReflectedElement {
     this.tracer?.reset();
   }
 
+  /**
+   * What has been sampled, as the tracer gives it: RGBA, linear Rec. 709, top row first, `tracer.width · tracer.height`
+   * pixels.
+   *
+   * @throws {RtViewerError} before `ready`.
+   */
+  async readRadiance(): Promise<Float32Array> {
+    return this.#sampledTracer().readRadiance();
+  }
+
+  /**
+   * What has been sampled, as an image file.
+   *
+   * @param type - `"image/png"` by default, or another type that the browser's canvas encodes: tone-mapped. Of
+   * `"image/x-portable-floatmap"` it is linear float, without exposure or tone mapping.
+   * @param quality - 0…1, for types that have one.
+   * @throws {RtViewerError} before `ready`.
+   */
+  async toBlob(type = "image/png", quality?: number): Promise<Blob> {
+    const tracer = this.#sampledTracer();
+    const { encodePicture } = await import("./snapshot");
+    return encodePicture(tracer, this.#look(), type, quality);
+  }
+
+  /** The picture as a PNG, or as a Portable FloatMap with the radiance as it was sampled. Like `toBlob`. */
+  screenshot(format: "png" | "pfm" = "png"): Promise<Blob> {
+    return this.toBlob(format === "pfm" ? "image/x-portable-floatmap" : "image/png");
+  }
+
   connectedCallback(): void {
-    this.upgradeProperties(UPGRADED_PROPERTIES);
+    this.upgradeProperties();
     clearTimeout(this.#disposal);
     this.#connection = new AbortController();
     const { signal } = this.#connection;
@@ -152,7 +216,10 @@ export class RtViewerElement extends ReflectedElement {
     this.#stage.refresh();
     watchBox(this.#canvas, (box) => (this.#stage.size = canvasSize(box)), signal);
     watchVisibility(this, (isVisible) => this.#onVisibility(isVisible), signal);
+    watchReducedMotion((isReduced) => (this.#stage.isCalm = isReduced), signal);
+    if (!this.#wasNear) watchNearness(this, () => this.#onNear(), signal);
     this.#bindControls();
+    this.#bindPicking(signal);
     this.#bindDrop();
     this.#label();
     if (this.#source() !== this.#requested) this.#load();
@@ -171,13 +238,17 @@ export class RtViewerElement extends ReflectedElement {
   attributeChangedCallback(name: string): void {
     if (name === "src") this.#opening?.abort();
     if (name === "src" && this.#scene === undefined) this.#load();
+    else if (name === "loading" && this.#requested === undefined) this.#load();
     else if (name === "controls") this.#bindControls();
     else if (name === "drop") this.#bindDrop();
     else if (name === "stats") this.#showPanel();
     else if (name === "alt") this.#label();
     else if (name === "paused") this.#stage.isPaused = this.paused;
-    else if (name === "exposure") this.#stage.exposure = this.exposure;
+    else if (name === "exposure" || name === "tone-map") this.#stage.look = this.#look();
+    else if (name === "camera-orbit") this.#stage.orbit = parseCameraOrbit(this.cameraOrbit);
     else if (settingOfAttribute(name) !== undefined) this.settingsChanged();
+    if (name === "controls") this.#label();
+    if (name === "poster" || name === "loading") this.#curtain.setPoster(this.poster, this.loading);
     if (this.tracer !== undefined) this.#panel.setKnobs(this.#knobs(this.tracer));
   }
 
@@ -192,20 +263,27 @@ export class RtViewerElement extends ReflectedElement {
   #load(): void {
     if (this.#connection === undefined) return;
     const source = this.#source();
+    if (source === undefined && this.#requested !== undefined) this.#dispose();
+    if (source === undefined || (this.loading === "lazy" && !this.#wasNear)) return;
     this.#requested = source;
-    if (source === undefined) {
-      this.#dispose();
-      return;
-    }
+    this.#edited = undefined;
     const missing = missingWebGpu({ hasGpu: "gpu" in navigator, isSecure: globalThis.isSecureContext });
     if (missing !== undefined) {
       this.#fail(new WebGpuError(missing));
       return;
     }
     const { baseURI } = this.ownerDocument;
-    void this.#stage.show(async (signal) =>
-      typeof source === "string" ? this.#fetch(source, baseURI, signal) : source,
-    );
+    this.#liveRegion.noteLoading();
+    void this.#stage.show(async (signal, report) => {
+      if (typeof source !== "string") return source;
+      report("fetching");
+      return this.#fetch(source, baseURI, signal);
+    });
+  }
+
+  #onNear(): void {
+    this.#wasNear = true;
+    if (this.#requested === undefined) this.#load();
   }
 
   async #fetch(src: string, base: string, signal: AbortSignal): Promise<Scene> {
@@ -219,7 +297,7 @@ export class RtViewerElement extends ReflectedElement {
   }
 
   #onScene(): void {
-    this.#message.clear();
+    this.#clearMessage();
     this.#showPanel();
     this.#updateLoop();
   }
@@ -244,6 +322,9 @@ export class RtViewerElement extends ReflectedElement {
 
   #fail(error: Error): void {
     this.#message.show(describeError(error));
+    this.#canvas.inert = true;
+    this.#curtain.hideProgress();
+    this.#liveRegion.clear();
     this.#updateLoop();
     this.#emit("error", { error });
   }
@@ -251,9 +332,16 @@ export class RtViewerElement extends ReflectedElement {
   #dispose(): void {
     this.#requested = undefined;
     this.#panel.hide();
-    this.#message.clear();
+    this.#clearMessage();
+    this.#curtain.close();
+    this.#liveRegion.clear();
     this.#stage.clear();
     this.#updateLoop();
+  }
+
+  #clearMessage(): void {
+    this.#message.clear();
+    this.#canvas.inert = false;
   }
 
   #bindControls(): void {
@@ -280,6 +368,20 @@ export class RtViewerElement extends ReflectedElement {
     bindOrbitControls(this.#canvas, target, signal);
   }
 
+  /** Only with the panel, which shows what is picked. */
+  #bindPicking(signal: AbortSignal): void {
+    const target = {
+      tracer: () => (this.showStats ? this.tracer : undefined),
+      onPick: (part: ScenePart | undefined) => {
+        if (part === undefined && this.#panel.selected === undefined) return;
+        this.#panel.select(part);
+        this.#tellPick(part);
+      },
+      onError: (error: Error) => this.#emit("error", { error }),
+    };
+    bindPicking(this, this.#canvas, target, signal);
+  }
+
   #bindDrop(): void {
     this.#drop?.abort();
     this.#drop = undefined;
@@ -300,28 +402,59 @@ export class RtViewerElement extends ReflectedElement {
       this.#panel.hide();
       return;
     }
-    const source = {
-      stats: this.tracer.stats,
-      knobs: this.#knobs(this.tracer),
-      onChange: ({ exposure, ...settings }: Partial<PanelKnobs>) => {
+    const isFolded = this.getAttribute("stats") === "folded";
+    // Without its panel the element still does its work, so this is told, not shown.
+    this.#panel.show(this.#panelSource(this.tracer), isFolded).catch((error: Error) => this.#emit("error", { error }));
+  }
+
+  #panelSource(tracer: PathTracer): PanelSource {
+    return {
+      stats: tracer.stats,
+      knobs: this.#knobs(tracer),
+      onChange: ({ exposure, ...settings }) => {
         if (exposure !== undefined) this.exposure = exposure;
         this.settings = settings;
       },
       onReset: () => this.reset(),
       isPaused: () => this.paused,
+      wgsl: () => tracer.program.wgsl,
+      editor: {
+        scene: tracer.scene,
+        onEdit: (scene) => this.#edit(scene),
+        onSelect: (part) => this.#tellPick(part),
+      },
     };
-    const isFolded = this.getAttribute("stats") === "folded";
-    // Without its panel the element still does its work, so this is told, not shown.
-    this.#panel.show(source, isFolded).catch((error: Error) => this.#emit("error", { error }));
   }
 
   #knobs(tracer: PathTracer): PanelKnobs {
-    const { samplesPerFrame, lightSamples, exposure } = this;
-    return { samplesPerFrame, lightSamples, exposure, maxBounces: this.maxBounces ?? tracer.scene.maxBounces };
+    const { exposure, settings } = this;
+    return { ...settings, exposure, maxBounces: settings.maxBounces ?? tracer.scene.maxBounces };
+  }
+
+  #edit(scene: Scene): void {
+    if (!this.#stage.edit(scene)) return;
+    if (this.#scene === undefined) this.#edited = scene;
+    else this.#scene = this.#requested = scene;
+  }
+
+  #tellPick(part: ScenePart | undefined): void {
+    if (this.tracer !== undefined) this.#emit("pick", pickDetail(this.tracer.scene, part));
   }
 
   #label(): void {
-    this.#canvas.setAttribute("aria-label", this.alt || DEFAULT_LABEL);
+    labelCanvas(this.#canvas, this.alt, this.controls);
+  }
+
+  #look(): View {
+    return { exposure: this.exposure, toneMap: this.toneMap };
+  }
+
+  #sampledTracer(): PathTracer {
+    const { tracer } = this;
+    if (tracer === undefined || tracer.stats.samples === 0) {
+      throw new RtViewerError("there is no picture yet: wait for the event `ready`");
+    }
+    return tracer;
   }
 
   #emit<K extends keyof RtViewerEventMap>(type: K, detail: RtViewerEventMap[K]["detail"]): void {

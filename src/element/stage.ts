@@ -1,19 +1,26 @@
-import { lossError } from "../gpu/device";
+import type { View } from "../renderer/display";
 import { PathTracer } from "../renderer/pathTracer";
 import { DEFAULT_SETTINGS, type Settings } from "../renderer/settings";
 import type { ResolvedCamera, Scene } from "../scene/schema";
+import { type CameraOrbit, placeOnOrbit } from "./cameraOrbit";
 import type { PixelSize } from "./canvasSize";
 import { CanvasView } from "./canvasView";
-import type { ProgressDetail, ReadyDetail } from "./events";
+import type { DeviceLostDetail, ProgressDetail, ReadyDetail } from "./events";
 import { LatestTask } from "./latestTask";
+import type { LoadProgressDetail, ReportProgress } from "./loadProgress";
+import { SceneEdits } from "./sceneEdits";
+import { type DeviceLease, isLost, leaseDevice } from "./sharedDevice";
 
 /** Whom the stage tells what happens on it. */
 export type StageListener = {
+  readonly onLoadProgress: (detail: LoadProgressDetail) => void;
   /** A scene is loaded and compiled; its first picture comes with one of the next frames. */
   readonly onScene: () => void;
   readonly onReady: (detail: ReadyDetail) => void;
   readonly onProgress: (detail: ProgressDetail) => void;
   readonly onConverged: (detail: ProgressDetail) => void;
+  /** The picture is gone, and another one of the same scene is under way. */
+  readonly onDeviceLost: (detail: DeviceLostDetail) => void;
   readonly onError: (error: Error) => void;
 };
 
@@ -24,11 +31,23 @@ export class Stage {
   readonly #canvas: HTMLCanvasElement;
   readonly #listener: StageListener;
   readonly #task = new LatestTask();
+  /** Held while there is a view, or one is made. */
+  #lease: DeviceLease | undefined;
   #view: CanvasView | undefined;
+  /** One whose work has failed, while it is found out why. */
+  #failedView: CanvasView | undefined;
+  #lossCount = 0;
+  #edits: SceneEdits | undefined;
+  /** Scenes that are being loaded; those that were overtaken too. */
+  #loads = 0;
   #size: PixelSize = { width: 1, height: 1 };
   #settings: Settings = DEFAULT_SETTINGS;
-  #exposure = 0;
+  #look: View = {};
   #isPaused = false;
+  #isCalm = false;
+  #orbit: CameraOrbit | undefined;
+  /** What of the camera is to be changed once there is one. */
+  #pendingCamera: Partial<ResolvedCamera> | undefined;
   /** When the scene was asked for whose first picture is still to come. */
   #requestedAt: number | undefined;
   /** Whether anything was drawn since. */
@@ -56,13 +75,20 @@ export class Stage {
   }
 
   /**
-   * Moves the camera; what is left out stays as it is. Without a scene there is nothing to move.
+   * Moves the camera; what is left out stays as it is. Without a scene, it is kept for the first one.
    *
    * @throws {SceneError} if there is no such camera.
    */
   moveCamera(changes: Partial<ResolvedCamera>): void {
     const { tracer } = this;
-    tracer?.setCamera({ ...tracer.camera, ...changes });
+    if (tracer === undefined) this.#pendingCamera = { ...this.#pendingCamera, ...changes };
+    else tracer.setCamera({ ...tracer.camera, ...changes });
+  }
+
+  /** Where the camera is around its target when a scene comes, and now; `undefined` is where the scene has it. */
+  set orbit(orbit: CameraOrbit | undefined) {
+    this.#orbit = orbit;
+    this.#applyOrbit();
   }
 
   set size(size: PixelSize) {
@@ -81,35 +107,69 @@ export class Stage {
     this.#applySettings();
   }
 
-  /** In stops. */
-  set exposure(stops: number) {
-    this.#exposure = stops;
-    if (this.#view !== undefined) this.#view.exposure = stops;
+  /** How radiance becomes a picture. */
+  set look(look: View) {
+    this.#look = look;
+    if (this.#view !== undefined) this.#view.look = look;
   }
 
-  /** Shows a scene in place of what there is. Of several calls the last one wins. Never rejects: errors are reported. */
-  async show(read: (signal: AbortSignal) => Promise<Scene>): Promise<void> {
+  /** Whether the picture should not flicker while it gets finer. */
+  set isCalm(isCalm: boolean) {
+    this.#isCalm = isCalm;
+    if (this.#view !== undefined) this.#view.isCalm = isCalm;
+  }
+
+  /**
+   * Shows a scene in place of what there is. Of several calls the last one wins. Never rejects: errors are reported.
+   *
+   * @param read - gives the scene, and reports how far it is.
+   */
+  async show(read: (signal: AbortSignal, report: ReportProgress) => Promise<Scene>): Promise<void> {
     const requestedAt = performance.now();
+    const reportFor = (signal: AbortSignal): ReportProgress => {
+      return (phase, fraction) => {
+        if (!signal.aborted) this.#listener.onLoadProgress({ phase, fraction });
+      };
+    };
+    this.#loads += 1;
+    this.#edits?.cancel();
     try {
-      const isLast = await this.#task.run(read, (scene, signal) => this.#put(scene, signal));
+      const isLast = await this.#task.run(
+        (signal) => read(signal, reportFor(signal)),
+        (scene, signal) => this.#put(scene, signal, reportFor(signal)),
+      );
       if (!isLast || this.#view === undefined) return;
       this.#requestedAt = requestedAt;
       this.#hasDrawn = false;
       this.#listener.onScene();
     } catch (error) {
+      if (this.#view === undefined) this.#release();
       this.#listener.onError(toError(error));
+    } finally {
+      this.#loads -= 1;
     }
+  }
+
+  /**
+   * Shows the scene with other values, seen from where the camera is. Errors are reported.
+   *
+   * @returns false, and nothing is done, without a scene and while another one is loaded.
+   */
+  edit(scene: Scene): boolean {
+    if (this.#edits === undefined || this.#loads > 0) return false;
+    this.#edits.show(scene).catch((error: unknown) => this.#listener.onError(toError(error)));
+    return true;
   }
 
   /** Does the work of one frame. */
   tick(): void {
-    if (this.#view === undefined) return;
+    const view = this.#view;
+    if (view === undefined || view === this.#failedView) return;
     try {
-      if (this.#view.draw()) this.#hasDrawn = true;
-      this.#report(this.#view);
+      if (view.draw()) this.#hasDrawn = true;
+      this.#report(view);
     } catch (error) {
-      this.clear();
-      this.#listener.onError(toError(error));
+      void this.#onFailure(view, toError(error));
     }
   }
 
@@ -122,37 +182,91 @@ export class Stage {
   clear(): void {
     this.#task.cancel();
     this.#view?.dispose();
+    this.#forgetView();
+    this.#release();
+    this.#pendingCamera = undefined;
+  }
+
+  /** Goes on until the scene is on a device that lives. */
+  async #put(scene: Scene, signal: AbortSignal, report: ReportProgress): Promise<void> {
+    while (!signal.aborted) {
+      const lease = this.#lease ?? (await leaseDevice());
+      if (signal.aborted && lease !== this.#lease) return lease.release();
+      if (lease !== this.#lease) this.#hold(lease);
+      report("compiling");
+      try {
+        await (this.#view === undefined ? this.#open(scene, lease, signal) : this.#view.tracer.setScene(scene));
+      } catch (error) {
+        if (signal.aborted || !(await isLost(lease.device))) throw error;
+      }
+      if (signal.aborted || this.#lease !== lease || this.#view === undefined) continue;
+      this.#applyAll(this.#view);
+      return;
+    }
+  }
+
+  #hold(lease: DeviceLease): void {
+    this.#lease = lease;
+    void lease.device.lost.then(({ message }) => {
+      if (this.#lease === lease) this.#recover(message);
+    });
+  }
+
+  async #open(scene: Scene, { device }: DeviceLease, signal: AbortSignal): Promise<void> {
+    const tracer = await PathTracer.create({ scene, ...this.#size, settings: this.#effectiveSettings(), device });
+    if (signal.aborted || this.#lease?.device !== device) tracer.dispose();
+    else {
+      this.#view = new CanvasView(tracer, this.#canvas);
+      this.#edits = new SceneEdits(tracer);
+    }
+  }
+
+  /** What the page asked for while the scene was compiled, or before. */
+  #applyAll(view: CanvasView): void {
+    view.resize(this.#size);
+    view.look = this.#look;
+    view.isCalm = this.#isCalm;
+    this.#applySettings();
+    if (this.#orbit !== undefined) this.#applyOrbit();
+    const changes = this.#pendingCamera;
+    this.#pendingCamera = undefined;
+    if (changes !== undefined) this.moveCamera(changes);
+  }
+
+  /** Starts over on another device; the canvas keeps its picture until then. */
+  #recover(message: string): void {
+    const { tracer } = this;
+    tracer?.dispose();
+    this.#forgetView();
+    this.#release();
+    this.#lossCount += 1;
+    this.#listener.onDeviceLost({ message, count: this.#lossCount });
+    // Whatever is on its way to the stage will find a device by itself.
+    if (this.#task.isRunning || tracer === undefined) return;
+    this.#pendingCamera = tracer.camera;
+    void this.show(async () => tracer.scene);
+  }
+
+  async #onFailure(view: CanvasView, error: Error): Promise<void> {
+    this.#failedView = view;
+    if ((await isLost(view.tracer.device)) || this.#view !== view) return;
+    this.clear();
+    this.#listener.onError(error);
+  }
+
+  #forgetView(): void {
     this.#view = undefined;
+    this.#failedView = undefined;
+    this.#edits?.cancel();
+    this.#edits = undefined;
     this.#requestedAt = undefined;
     this.#reportedSamples = 0;
     this.#wasConverged = false;
   }
 
-  async #put(scene: Scene, signal: AbortSignal): Promise<void> {
-    if (this.#view === undefined) {
-      const tracer = await PathTracer.create({ scene, ...this.#size, settings: this.#effectiveSettings() });
-      if (signal.aborted) {
-        tracer.dispose();
-        return;
-      }
-      this.#view = new CanvasView(tracer, this.#canvas);
-      this.#watchDevice(this.#view);
-    } else {
-      await this.#view.tracer.setScene(scene);
-      if (signal.aborted) return;
-    }
-    // What changed while the scene was compiled.
-    this.#view.resize(this.#size);
-    this.#applySettings();
-    this.#view.exposure = this.#exposure;
-  }
-
-  #watchDevice(view: CanvasView): void {
-    void view.tracer.device.lost.then((info) => {
-      if (this.#view !== view) return;
-      this.clear();
-      this.#listener.onError(lossError(info));
-    });
+  #release(): void {
+    this.#lease?.release();
+    this.#lease = undefined;
   }
 
   #report({ tracer, isFullSize }: CanvasView): void {
@@ -174,6 +288,13 @@ export class Stage {
     const hasConverged = converged && isFullSize && !this.#isPaused;
     if (hasConverged && !this.#wasConverged) this.#listener.onConverged({ samples, error });
     this.#wasConverged = hasConverged;
+  }
+
+  #applyOrbit(): void {
+    const { tracer } = this;
+    if (tracer === undefined) return;
+    const home = tracer.scene.camera;
+    tracer.setCamera(this.#orbit === undefined ? home : placeOnOrbit(home, this.#orbit));
   }
 
   #applySettings(): void {

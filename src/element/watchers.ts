@@ -20,6 +20,35 @@ export function watchVisibility(element: Element, onChange: (isVisible: boolean)
 }
 
 /**
+ * Tells, once, that the element is on screen or less than a screen away from it.
+ *
+ * @param signal - ends it.
+ */
+export function watchNearness(element: Element, onNear: () => void, signal: AbortSignal): void {
+  const observer = new IntersectionObserver(
+    (entries) => {
+      if (!entries.some((entry) => entry.isIntersecting)) return;
+      observer.disconnect();
+      onNear();
+    },
+    { rootMargin: "100%" },
+  );
+  observer.observe(element);
+  signal.addEventListener("abort", () => observer.disconnect());
+}
+
+/**
+ * Tells whether the visitor asked for less motion, now and with every change.
+ *
+ * @param signal - ends it.
+ */
+export function watchReducedMotion(onChange: (isReduced: boolean) => void, signal: AbortSignal): void {
+  const query = matchMedia("(prefers-reduced-motion: reduce)");
+  query.addEventListener("change", () => onChange(query.matches), { signal });
+  onChange(query.matches);
+}
+
+/**
  * Tells the box of an element in physical pixels where the browser knows them, now and with every change.
  *
  * @param signal - ends it.

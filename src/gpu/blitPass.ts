@@ -3,6 +3,11 @@ import { VIEW } from "../compile/layouts";
 import type { Film } from "./film";
 import { BufferUsage, TextureUsage } from "./flags";
 
+/** How radiance is brought into a display's range, in the order of `displayed` in `wgsl/tonemap.wgsl`. */
+export const TONE_MAPS = ["none", "aces", "agx"] as const;
+
+export type ToneMap = (typeof TONE_MAPS)[number];
+
 export type ViewUniforms = StructValue<typeof VIEW.fields>;
 
 /** For targets of one format. */
@@ -36,9 +41,15 @@ export class BlitPass {
     });
   }
 
-  encode(encoder: GPUCommandEncoder, target: GPUTexture, exposure: number): void {
+  /** @param exposure - factor on radiance. */
+  encode(encoder: GPUCommandEncoder, target: GPUTexture, exposure: number, toneMap: ToneMap): void {
     const { width, height } = this.#film;
-    const view: ViewUniforms = { filmSize: [width, height], targetSize: [target.width, target.height], exposure };
+    const view: ViewUniforms = {
+      filmSize: [width, height],
+      targetSize: [target.width, target.height],
+      exposure,
+      toneMap: TONE_MAPS.indexOf(toneMap),
+    };
     VIEW.write(this.#bytes, 0, view);
     this.#device.queue.writeBuffer(this.#uniforms, 0, this.#bytes.buffer);
     const { show, stretch } = this.#pipelines;

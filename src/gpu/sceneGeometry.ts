@@ -16,9 +16,9 @@ const BINDINGS: Readonly<Record<Part, { readonly binding: number; readonly isTex
 };
 
 /** What a program with these features reads. */
-export function geometryLayout({ MESHES, SMOOTH, MESH_LIGHTS, TEXTURES }: Features): GPUBindGroupLayoutEntry[] {
+export function geometryLayout({ TREE, SMOOTH, MESH_LIGHTS, TEXTURES }: Features): GPUBindGroupLayoutEntry[] {
   const parts: readonly Part[] = [
-    ...(MESHES ? (["nodes", "items"] as const) : []),
+    ...(TREE ? (["nodes", "items"] as const) : []),
     ...(SMOOTH ? (["normals"] as const) : []),
     ...(MESH_LIGHTS ? (["shiningTriangles"] as const) : []),
     ...(TEXTURES ? (["uvs", "texels"] as const) : []),
@@ -31,7 +31,7 @@ export function geometryLayout({ MESHES, SMOOTH, MESH_LIGHTS, TEXTURES }: Featur
   });
 }
 
-/** The geometry of a scene's meshes on the GPU. */
+/** A scene's geometry on the GPU. */
 export class SceneGeometry {
   readonly source: Geometry | undefined;
   readonly #resources: ReadonlyMap<number, GPUBuffer | GPUTexture>;
@@ -100,6 +100,6 @@ function checkSize(label: string, bytes: number, limit: number): void {
   if (bytes <= limit) return;
   const [needed, available] = [bytes, limit].map((size) => `${Math.ceil(size / 2 ** 20)} MiB`);
   throw new UnsupportedError(
-    `the ${label} of the scene's meshes need ${needed}; this device has room for ${available}`,
+    `the ${label} of the scene's geometry need ${needed}; this device has room for ${available}`,
   );
 }

@@ -1,5 +1,5 @@
+import type { CompiledScene } from "../compile/compileScene";
 import type { StructValue } from "../compile/defineStruct";
-import type { Features } from "../compile/features";
 import { FRAME } from "../compile/layouts";
 import type { Film } from "./film";
 import { BufferUsage, ShaderStage } from "./flags";
@@ -23,10 +23,10 @@ export type TracePipelines = {
 export async function createTracePipelines(
   device: GPUDevice,
   wgsl: string,
-  features: Features,
+  { features, isStored }: Pick<CompiledScene, "features" | "isStored">,
 ): Promise<TracePipelines> {
   const geometry = geometryLayout(features);
-  const layout = createTraceLayout(device, geometry);
+  const layout = createTraceLayout(device, isStored, geometry);
   const [trace, lamps] = await Promise.all([
     createComputePipeline(device, "trace", wgsl, "trace", layout),
     features.LAMPS ? createComputePipeline(device, "lamps", wgsl, "traceLamps", layout) : undefined,
@@ -35,8 +35,13 @@ export async function createTracePipelines(
 }
 
 /** Bindings: frame, scene, film, counters, carries, geometry. Not every program reads the scene uniform. */
-function createTraceLayout(device: GPUDevice, geometry: readonly GPUBindGroupLayoutEntry[]): GPUPipelineLayout {
-  const types = ["uniform", "uniform", "storage", "storage", "storage"] as const;
+function createTraceLayout(
+  device: GPUDevice,
+  isStored: boolean,
+  geometry: readonly GPUBindGroupLayoutEntry[],
+): GPUPipelineLayout {
+  const scene = isStored ? "read-only-storage" : "uniform";
+  const types = ["uniform", scene, "storage", "storage", "storage"] as const;
   const own = types.map((type, binding) => ({ binding, visibility: ShaderStage.COMPUTE, buffer: { type } }));
   const group = device.createBindGroupLayout({ label: "trace", entries: [...own, ...geometry] });
   return device.createPipelineLayout({ label: "trace", bindGroupLayouts: [group] });
@@ -56,7 +61,7 @@ export class TracePass {
     this.#pipelines = pipelines;
     const usage = BufferUsage.UNIFORM | BufferUsage.COPY_DST;
     this.#frame = device.createBuffer({ label: "frame uniforms", size: FRAME.bytes, usage });
-    this.#scene = device.createBuffer({ label: "scene", size: scene.byteLength, usage });
+    this.#scene = device.createBuffer({ label: "scene", size: scene.byteLength, usage: usage | BufferUsage.STORAGE });
     this.writeScene(scene);
     this.#bindGroup = device.createBindGroup({
       label: "trace",

@@ -27,6 +27,13 @@ export function formatMilliseconds(milliseconds: number): string {
   return milliseconds > 0 && Number.isFinite(milliseconds) ? `${digits(milliseconds)} ms` : "–";
 }
 
+/** Seconds, or what is longer: `"0.1 s"`, `"12 s"`, `"3 min"`, `"2 h"`. */
+export function formatSeconds(seconds: number): string {
+  if (!Number.isFinite(seconds)) return "–";
+  if (seconds < 120) return `${Number(seconds.toPrecision(2))} s`;
+  return seconds < 7200 ? `${Math.round(seconds / 60)} min` : `${Math.round(seconds / 3600)} h`;
+}
+
 /** Frames per second: `"59.9"`. */
 export function formatFps(fps: number): string {
   return fps > 0 && Number.isFinite(fps) ? digits(fps) : "–";

@@ -1,12 +1,12 @@
 import type { FolderApi } from "tweakpane";
+import type { Settings } from "../renderer/settings";
 
 /** The settings that the panel lets one turn. */
-export type PanelKnobs = {
-  /** Samples per pixel between two frames. */
-  readonly samplesPerFrame: number;
+export type PanelKnobs = Pick<
+  Settings,
+  "samplesPerFrame" | "lightSamples" | "estimator" | "sampler" | "targetError"
+> & {
   readonly maxBounces: number;
-  /** Light points sampled at each hit. */
-  readonly lightSamples: number;
   /** Stops. */
   readonly exposure: number;
 };
@@ -25,29 +25,47 @@ const SLIDERS = {
   exposure: { label: "exposure", min: -6, max: 6, step: 0.1 },
 } as const;
 
+const CHOICES = {
+  estimator: { label: "estimator", options: { "path tracing": "path", uniform: "uniform" } },
+  sampler: { label: "sampler", options: { Sobol: "sobol", independent: "independent" } },
+} as const;
+
 /** Adds the folder with the knobs. `set` shows values that were changed elsewhere without calling `onChange`. */
 export function addKnobs(pane: FolderApi, options: KnobOptions): { set(values: Partial<PanelKnobs>): void } {
   const folder = pane.addFolder({ title: "Settings" });
-  const values = { ...options.knobs };
+  const values = { ...options.knobs, targetPercent: 100 * options.knobs.targetError };
   let isBeingSet = false;
+  const change = (changes: Partial<PanelKnobs>) => {
+    if (!isBeingSet) options.onChange(changes);
+  };
 
-  const names = Object.keys(SLIDERS) as (keyof PanelKnobs)[];
-  const bindings = names.map((name) => {
+  const sliders = (Object.keys(SLIDERS) as (keyof typeof SLIDERS)[]).map((name) => {
     const { label, min, max, step } = SLIDERS[name];
     // A scene may ask for more than the slider is good for.
     const binding = folder.addBinding(values, name, { label, step, min, max: Math.max(max, values[name]) });
-    binding.on("change", ({ value }) => {
-      if (!isBeingSet) options.onChange({ [name]: value });
-    });
-    return binding;
+    return binding.on("change", ({ value }) => change({ [name]: value }));
   });
+  const choices = (Object.keys(CHOICES) as (keyof typeof CHOICES)[]).map((name) => {
+    const binding = folder.addBinding(values, name, CHOICES[name]);
+    return binding.on("change", ({ value }) => change({ [name]: value }));
+  });
+  const target = folder
+    .addBinding(values, "targetPercent", {
+      label: "stop at % error",
+      min: 0,
+      keyScale: 0.1,
+      pointerScale: 0.01,
+      format: (percent) => (percent === 0 ? "never" : String(Number(percent.toPrecision(3)))),
+    })
+    .on("change", ({ value }) => change({ targetError: value / 100 }));
   folder.addButton({ title: "Start over" }).on("click", options.onReset);
 
   return {
     set(changes) {
       Object.assign(values, changes);
+      values.targetPercent = 100 * values.targetError;
       isBeingSet = true;
-      for (const binding of bindings) binding.refresh();
+      for (const binding of [...sliders, ...choices, target]) binding.refresh();
       isBeingSet = false;
     },
   };

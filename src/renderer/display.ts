@@ -1,5 +1,5 @@
 import { linkModule } from "../compile/linkProgram";
-import { BlitPass, type BlitPipelines } from "../gpu/blitPass";
+import { BlitPass, type BlitPipelines, type ToneMap } from "../gpu/blitPass";
 import type { Film } from "../gpu/film";
 import { BufferUsage, MapMode, TextureUsage } from "../gpu/flags";
 import { createBlitPipeline } from "../gpu/pipelines";
@@ -8,6 +8,11 @@ import { createBlitPipeline } from "../gpu/pipelines";
 export type View = {
   /** In stops: each doubles the brightness. Default 0. */
   readonly exposure?: number;
+  /**
+   * `"aces"`, the default: Hill's fit of the ACES transforms. `"agx"`: Sobotka's AgX in Wrensch's fit, whose bright
+   * colours turn white more gently. `"none"`: what is brighter than 1 is cut off. The papers are cited in `tonemap.wgsl`.
+   */
+  readonly toneMap?: ToneMap;
 };
 
 const BYTES_PER_PIXEL = 4;
@@ -35,14 +40,14 @@ export class Display {
   }
 
   /** Draws the film, stretched smoothly over the whole texture. */
-  draw(film: Film, target: GPUTexture, { exposure = 0 }: View): void {
+  draw(film: Film, target: GPUTexture, { exposure = 0, toneMap = "aces" }: View): void {
     if (film !== this.#film) {
       this.#pass.dispose();
       this.#film = film;
       this.#pass = new BlitPass(this.#device, this.#pipelines, film);
     }
     const encoder = this.#device.createCommandEncoder({ label: "present" });
-    this.#pass.encode(encoder, target, 2 ** exposure);
+    this.#pass.encode(encoder, target, 2 ** exposure, toneMap);
     this.#device.queue.submit([encoder.finish()]);
   }
 

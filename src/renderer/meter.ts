@@ -40,6 +40,7 @@ export class Meter {
       frameMs: 0,
       gpuMs: 0,
       samples: 0,
+      seconds: 0,
       pathsPerSecond: 0,
       raysPerSecond: 0,
       error: Number.POSITIVE_INFINITY,
@@ -60,6 +61,7 @@ export class Meter {
   /** The film is empty again. */
   restart(settings: Settings): void {
     this.stats.samples = 0;
+    this.stats.seconds = 0;
     this.stats.error = Number.POSITIVE_INFINITY;
     this.stats.badSamples = 0;
     this.updateConverged(settings);
@@ -110,10 +112,11 @@ export class Meter {
     stats.raysPerSecond = this.#rayRate.perSecond;
   }
 
-  /** Takes note of what a finished slice added to the film, after which every pixel held `samples`. */
+  /** Takes note of what the slice last observed added to the film, after which every pixel held `samples`. */
   count(samples: number, { badSamples, errorSums }: Report): void {
     const { stats } = this;
     stats.samples = samples;
+    stats.seconds += stats.gpuMs / 1000;
     stats.badSamples += badSamples;
     if (errorSums) stats.error = relativeError(errorSums);
   }

@@ -1,6 +1,7 @@
 import { type CompiledScene, compileScene } from "../compile/compileScene";
-import { type Geometry, hasMeshes, prepareGeometry } from "../compile/geometry";
+import type { Geometry, GeometryOptions } from "../compile/geometry";
 import { linkModule } from "../compile/linkProgram";
+import { needsGeometry } from "../compile/treeShapes";
 import { WebGpuError } from "../errors";
 import { adapterName, requestDevice } from "../gpu/device";
 import { ErrorPass } from "../gpu/errorPass";
@@ -15,11 +16,13 @@ import { cameraBasis, lampPixels, rayStart } from "./camera";
 import { Display, readPicture, type View } from "./display";
 import { InFlight } from "./inFlight";
 import { Meter } from "./meter";
+import { type Picked, Picker, type Sight } from "./picker";
 import { createProgram, type Program, programKey } from "./program";
 import { Progress } from "./progress";
 import { DEFAULT_SETTINGS, type Settings } from "./settings";
 import type { Stats } from "./stats";
 
+/** What a tracer is made from. */
 export type PathTracerOptions = {
   readonly scene: Scene;
   /** In pixels. */
@@ -28,6 +31,11 @@ export type PathTracerOptions = {
   /** Used, never destroyed. Without one the tracer requests its own and destroys it with itself. */
   readonly device?: GPUDevice;
   readonly settings?: Partial<Settings>;
+} & SceneOptions;
+
+export type SceneOptions = {
+  /** Told which share of a scene's geometry is sorted, from 0 to 1, where there is much of it. */
+  readonly onProgress?: (fraction: number) => void;
 };
 
 type SharedUniforms = Omit<FrameUniforms, "half" | "firstSample" | "sampleCount" | "firstRow" | "endRow">;
@@ -53,11 +61,13 @@ const ERROR_INTERVAL_MS = 200;
  * In a page, call `frame()` and `present()` once per animation frame. Elsewhere, `await sample(n)` and `readRadiance()`.
  */
 export class PathTracer {
+  /** Where it renders; the one that was given, or its own. */
   readonly device: GPUDevice;
   readonly #ownsDevice: boolean;
   readonly #errorPipeline: GPUComputePipeline;
   readonly #inFlight: InFlight;
   readonly #meter: Meter;
+  readonly #picker: Picker;
 
   #scene: ResolvedScene;
   #camera: ResolvedCamera;
@@ -80,8 +90,8 @@ export class PathTracer {
   /** What will be shown once it is prepared and compiled, and that work; the newest only. */
   #pending: Shown | undefined;
   #installing: Promise<void> | undefined;
-  /** Counts installations: an older one gives way. */
-  #installs = 0;
+  /** Ends that work, for something newer. */
+  #overtake = new AbortController();
   /** When the accumulation last started anew. */
   #restartedAt = 0;
   #failure: unknown;
@@ -103,7 +113,7 @@ export class PathTracer {
   static async create(options: PathTracerOptions): Promise<PathTracer> {
     const settings = { ...DEFAULT_SETTINGS, ...options.settings };
     const scene = parseScene(options.scene);
-    const geometry = await prepareGeometry(scene);
+    const geometry = needsGeometry(scene) ? await prepareGeometry(scene, options) : undefined;
     const compiled = compileScene(scene, settings, undefined, geometry);
     const device = options.device ?? (await requestDevice());
     try {
@@ -145,6 +155,7 @@ export class PathTracer {
     this.#shared = this.#sharedUniforms();
     device.addEventListener("uncapturederror", this.#onDeviceError);
     this.#baked = new Baked(device);
+    this.#picker = new Picker(device);
     this.#meter = new Meter(adapterName(device));
     this.#meter.useProgram(program);
   }
@@ -154,22 +165,27 @@ export class PathTracer {
     return this.#meter.stats;
   }
 
+  /** What is shown, with every default filled in. */
   get scene(): ResolvedScene {
     return this.#scene;
   }
 
+  /** From where it is shown: the scene's camera until another was set. */
   get camera(): ResolvedCamera {
     return this.#camera;
   }
 
+  /** How it is sampled. */
   get settings(): Settings {
     return this.#settings;
   }
 
+  /** Of the film, in pixels. */
   get width(): number {
     return this.#film.width;
   }
 
+  /** Of the film, in pixels. */
   get height(): number {
     return this.#film.height;
   }
@@ -185,9 +201,9 @@ export class PathTracer {
    *
    * @throws {SceneError | UnsupportedError} The old scene stays.
    */
-  async setScene(scene: Scene): Promise<void> {
+  async setScene(scene: Scene, options: SceneOptions = {}): Promise<void> {
     const resolved = parseScene(scene);
-    await this.#install({ scene: resolved, camera: resolved.camera });
+    await this.#install({ scene: resolved, camera: resolved.camera }, options);
   }
 
   /** @throws {SceneError} The old camera stays. */
@@ -276,6 +292,18 @@ export class PathTracer {
   }
 
   /**
+   * Finds what is seen at a point of the picture, by one ray through it. The first call compiles what that takes.
+   *
+   * @param x - in pixels from the left edge; the middle of the first pixel is 0.5.
+   * @param y - from the upper edge.
+   * @returns `undefined` where there is nothing, outside of the picture, and after `dispose()`.
+   * @throws {WebGpuError} if the device fails.
+   */
+  pick(x: number, y: number): Promise<Picked | undefined> {
+    return this.#picker.pick(this.#sight, x, y);
+  }
+
+  /**
    * Submits about one animation frame's work, unless the device is still busy or nothing is left to do. Never waits.
    *
    * @returns whether work was submitted.
@@ -315,11 +343,13 @@ export class PathTracer {
   dispose(): void {
     if (this.#disposed) return;
     this.#disposed = true;
+    this.#overtake.abort();
     this.device.removeEventListener("uncapturederror", this.#onDeviceError);
     this.#trace.dispose();
     this.#geometry.dispose();
     this.#baked.drop();
     this.#errorPass.dispose();
+    this.#picker.dispose();
     this.#inFlight.dispose();
     this.#film.dispose();
     if (this.#display instanceof Display) this.#display.dispose();
@@ -332,27 +362,33 @@ export class PathTracer {
     else this.#display = display;
   }
 
-  /** Shows something else, once its meshes are sorted and a program that fits it is compiled. A newer call overtakes an older one. */
-  async #install(next: Shown): Promise<void> {
-    const install = ++this.#installs;
+  /** Shows something else, once its geometry is sorted and a program that fits it is compiled. A newer call overtakes an older one. */
+  async #install(next: Shown, options: SceneOptions = {}): Promise<void> {
+    this.#overtake.abort();
+    this.#overtake = new AbortController();
+    const { signal } = this.#overtake;
     this.#pending = next;
-    const installing = this.#prepare(next.scene, () => install !== this.#installs || this.#disposed);
+    const installing = this.#prepare(next.scene, { ...options, signal }).catch((error: unknown) => {
+      if (!signal.aborted) throw error;
+    });
     this.#installing = installing;
     await installing.finally(() => {
-      if (install !== this.#installs) return;
+      if (signal.aborted) return;
       this.#installing = undefined;
       this.#pending = undefined;
     });
   }
 
   /** In one go where nothing has to be sorted or compiled. */
-  async #prepare(scene: ResolvedScene, isOvertaken: () => boolean): Promise<void> {
-    const geometry = hasMeshes(scene) ? await prepareGeometry(scene, this.#geometry.source) : undefined;
-    if (isOvertaken()) return;
+  async #prepare(scene: ResolvedScene, options: SceneOptions & { readonly signal: AbortSignal }): Promise<void> {
+    const previous = this.#geometry.source;
+    const geometry = needsGeometry(scene) ? await prepareGeometry(scene, { previous, ...options }) : undefined;
+    options.signal.throwIfAborted();
     const compiled = compileScene(scene, this.#settings, undefined, geometry);
     const isFitting = programKey(compiled) === this.#program.key;
     const program = isFitting ? this.#program : await createProgram(this.device, compiled);
-    if (!isOvertaken()) this.#show(this.#pending!, geometry, compiled, program);
+    options.signal.throwIfAborted();
+    this.#show(this.#pending!, geometry, compiled, program);
   }
 
   #show({ scene, camera }: Shown, geometry: Geometry | undefined, compiled: CompiledScene, program: Program): void {
@@ -371,6 +407,11 @@ export class PathTracer {
     this.#trace = this.#createTrace();
     this.#restart();
   }
+
+  readonly #sight = (): Sight => {
+    const { scene, camera, width, height } = this;
+    return { scene, camera, width, height, compiled: this.#compiled, geometry: this.#geometry };
+  };
 
   /** The scene as it is, with its values as constants. */
   readonly #bakedScene = (): CompiledScene =>
@@ -450,4 +491,10 @@ export class PathTracer {
     const lamps = lampPixels(this.#compiled.lamps, basis, width, height);
     return { ...view, ...lamps, size: [width, height], seed, maxBounces, lightSamples };
   }
+}
+
+/** The tree's builder is a sixth of what the renderer weighs: pages whose scenes have no need of it do not load it. */
+async function prepareGeometry(scene: ResolvedScene, options: GeometryOptions): Promise<Geometry | undefined> {
+  const geometry = await import("../compile/geometry");
+  return geometry.prepareGeometry(scene, options);
 }

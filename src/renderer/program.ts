@@ -22,7 +22,7 @@ export function programKey({ sceneModule, features }: CompiledScene): string {
 export async function createProgram(device: GPUDevice, compiled: CompiledScene): Promise<Program> {
   const start = performance.now();
   const wgsl = await linkProgram(compiled.sceneModule, compiled.features);
-  const pipelines = await createTracePipelines(device, wgsl, compiled.features);
+  const pipelines = await createTracePipelines(device, wgsl, compiled);
   const compileSeconds = (performance.now() - start) / 1000;
   return { wgsl, features: compiled.description, compileSeconds, pipelines, key: programKey(compiled) };
 }

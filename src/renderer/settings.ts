@@ -27,6 +27,7 @@ export type Settings = {
   readonly maxSamples: number;
 };
 
+/** What every setting is unless it is given. */
 export const DEFAULT_SETTINGS: Settings = {
   maxBounces: undefined,
   lightSamples: 1,

@@ -8,6 +8,8 @@ export type Stats = {
   gpuMs: number;
   /** Samples per pixel accumulated so far. */
   samples: number;
+  /** Seconds of the device's work that went into these samples. */
+  seconds: number;
   /** Camera paths traced per second of the device's work. */
   pathsPerSecond: number;
   /** Rays (camera, scattered and shadow rays) traced per second of the device's work. */

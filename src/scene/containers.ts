@@ -5,6 +5,7 @@
 
 import * as v from "valibot";
 import { oneOf, show, suggest } from "./describe";
+import { hasShape } from "./shape";
 
 /** Past this many faulty entries the rest of a list is not looked at: a million holes are one mistake. */
 export const MAX_FAULTY_ENTRIES = 1000;
@@ -46,6 +47,7 @@ export function strictObject<const Entries extends v.ObjectEntries>(
       });
       return fields as Output<Entries>; // complete: otherwise there are issues, and valibot drops it
     }),
+    hasShape({ kind: "object", entries }),
   );
 }
 
@@ -72,6 +74,7 @@ export function byType<const Options extends Readonly<Record<string, v.GenericSc
       for (const issue of parsed.issues) addIssue({ message: issue.message, ...(issue.path && { path: issue.path }) });
       return NEVER;
     }),
+    hasShape({ kind: "byType", options }),
   );
 }
 
@@ -98,6 +101,7 @@ export function triple<In, Out>(
       const [a, b, c] = items;
       return items.length === 3 ? ([a, b, c] as [Out, Out, Out]) : NEVER;
     }),
+    hasShape({ kind: "triple", item }),
   );
 }
 
@@ -114,6 +118,7 @@ export function list<In, Out>(item: v.GenericSchema<In, Out>): v.GenericSchema<r
       }
       return items;
     }),
+    hasShape({ kind: "list", item }),
   );
 }
 
@@ -137,6 +142,7 @@ export function dictionary<In, Out>(
       }
       return values;
     }),
+    hasShape({ kind: "dictionary", item }),
   );
 }
 

@@ -1,24 +1,25 @@
 import * as v from "valibot";
 import { isHopeless, pathItem, triple } from "./containers";
 import { show } from "./describe";
+import { hasShape, type Range } from "./shape";
 
 // The shader computes in f32, whose range is 1.2e-38 … 3.4e38, and it squares what the scene holds: distances, radii, and
 // sums of three such squares. Between these two, every square is a normal f32 with two decades to spare.
 const MAX_MAGNITUDE = 1e18;
 const MIN_SIZE = 1e-18;
 
-/** What a number must satisfy, beyond being finite and within ±1e18. `expected` completes "expected …, got -1". */
-type Rule = { readonly expected: string; readonly accepts: (x: number) => boolean; readonly minimum?: number };
+/**
+ * What a number must satisfy, beyond being finite and within ±1e18. `expected` completes "expected …, got -1"; `least` is the
+ * smallest magnitude that fits the shader, where zero does not.
+ */
+type Rule = Range & { readonly expected: string; readonly least?: number };
 
-const ANY: Rule = { expected: "a finite number", accepts: () => true };
-const POSITIVE: Rule = { expected: "a finite number > 0", accepts: (x) => x > 0, minimum: MIN_SIZE };
-const NON_NEGATIVE: Rule = { expected: "a finite number ≥ 0", accepts: (x) => x >= 0 };
-const FRACTION: Rule = { expected: "a number from 0 to 1", accepts: (x) => x >= 0 && x <= 1 };
-const INDEX: Rule = {
-  expected: "an integer from 0 to 4294967294",
-  accepts: (x) => x >= 0 && x < 2 ** 32 - 1 && Number.isInteger(x),
-};
-const BYTE: Rule = { expected: "an integer from 0 to 255", accepts: (x) => x >= 0 && x <= 255 && Number.isInteger(x) };
+const ANY: Rule = { expected: "a finite number" };
+const POSITIVE: Rule = { expected: "a finite number > 0", above: 0, least: MIN_SIZE };
+const NON_NEGATIVE: Rule = { expected: "a finite number ≥ 0", min: 0 };
+const FRACTION: Rule = { expected: "a number from 0 to 1", min: 0, max: 1 };
+const INDEX: Rule = { expected: "an integer from 0 to 4294967294", min: 0, max: 2 ** 32 - 2, isInteger: true };
+const BYTE: Rule = { expected: "an integer from 0 to 255", min: 0, max: 255, isInteger: true };
 
 /** Any number of magnitude ≤ 1e18. */
 export const finite = number(ANY);
@@ -28,12 +29,12 @@ export const positive = number(POSITIVE);
 export const fraction = number(FRACTION);
 
 /**
- * A number that satisfies a rule of its own.
+ * A number within a range of its own.
  *
  * @param expected - completes "expected …, got -1".
  */
-export function numberThat(expected: string, accepts: (x: number) => boolean): v.GenericSchema<number> {
-  return number({ expected, accepts });
+export function numberThat(expected: string, range: Range): v.GenericSchema<number> {
+  return number({ ...range, expected });
 }
 
 /** `[x, y, z]`, any finite numbers. */
@@ -47,6 +48,7 @@ export const direction = v.pipe(
     (vector) => Math.hypot(...vector) >= MIN_SIZE,
     (issue) => `expected a vector that is not zero, got ${show(issue.input)}`,
   ),
+  hasShape({ kind: "triple", item: finite, isNonZero: true }),
 );
 /** `[r, g, b]`, linear Rec. 709, each from 0 to 1: reflectances. */
 export const reflectance = triple(fraction, "[r, g, b]");
@@ -95,6 +97,7 @@ function numbers<Out extends TypedArray>(
       typed.set(input);
       return typed;
     }),
+    hasShape({ kind: "list", item: number(rule) }),
   );
 }
 
@@ -103,16 +106,31 @@ function isNumbers(input: unknown): input is Numbers {
 }
 
 function number(rule: Rule): v.GenericSchema<number> {
-  return v.custom<number>(
-    (input) => problemWith(input, rule) === undefined,
-    (issue) => `expected ${problemWith(issue.input, rule)}, got ${show(issue.input)}`,
+  return v.pipe(
+    v.custom<number>(
+      (input) => problemWith(input, rule) === undefined,
+      (issue) => `expected ${problemWith(issue.input, rule)}, got ${show(issue.input)}`,
+    ),
+    hasShape({ kind: "number", ...rangeOf(rule) }),
   );
 }
 
+/** Every bound of a rule, those that all numbers have included. */
+function rangeOf({ expected: _, least, ...range }: Rule): Range {
+  return { ...range, min: least ?? range.min ?? -MAX_MAGNITUDE, max: range.max ?? MAX_MAGNITUDE };
+}
+
 /** What was expected in place of `input`, or `undefined` if it is fine. */
-function problemWith(input: unknown, { expected, accepts, minimum = 0 }: Rule): string | undefined {
-  if (typeof input !== "number" || !Number.isFinite(input) || !accepts(input)) return expected;
+function problemWith(input: unknown, rule: Rule): string | undefined {
+  const { expected, least = 0 } = rule;
+  if (typeof input !== "number" || !Number.isFinite(input) || !isWithin(input, rule)) return expected;
   if (Math.abs(input) > MAX_MAGNITUDE) return `a magnitude of at most ${MAX_MAGNITUDE} (its square must fit in f32)`;
-  if (Math.abs(input) < minimum) return `a number of at least ${minimum} (its square must fit in f32)`;
+  if (Math.abs(input) < least) return `a number of at least ${least} (its square must fit in f32)`;
   return undefined;
+}
+
+function isWithin(x: number, { min, max, above, below, isInteger }: Range): boolean {
+  if (isInteger === true && !Number.isInteger(x)) return false;
+  if ((min !== undefined && x < min) || (max !== undefined && x > max)) return false;
+  return !((above !== undefined && x <= above) || (below !== undefined && x >= below));
 }

@@ -33,18 +33,17 @@ const MAX_TEXTURE_SIZE = 16384;
 // A bound for loops; with an albedo of 0.99, 1024 bounces leave 3e-5 of the light.
 const MAX_BOUNCES = 1024;
 
+/** Where the scene is seen from, and how. */
 export const CameraSchema = strictObject(
   {
+    /** Where the rays start; there is no lens. */
     position: vec3,
     /** The point in the middle of the picture. */
     target: v.optional(vec3, [0, 0, 0]),
     /** Any direction that points up in the picture; need not be orthogonal to the view. */
     up: v.optional(direction, [0, 1, 0]),
     /** The angle between the lower and the upper edge of the picture, in degrees. */
-    verticalFov: v.optional(
-      numberThat("an angle between 0 and 180 degrees", (x) => x > 0 && x < 180),
-      45,
-    ),
+    verticalFov: v.optional(numberThat("an angle between 0 and 180 degrees", { above: 0, below: 180 }), 45),
   },
   ({ position, target, up }, addIssue) => {
     if (!position || !target) return;
@@ -63,6 +62,7 @@ const FILTERS = ["linear", "nearest"] as const;
 /** The name of one of the scene's textures. */
 const textureName = v.string((issue) => `expected the name of a texture, got ${show(issue.input)}`);
 
+/** An opaque surface as in glTF 2.0: metallic-roughness. */
 export const MaterialSchema = strictObject(
   {
     /** Albedo of a dielectric, reflectance at normal incidence of a metal; each component from 0 to 1. */
@@ -72,10 +72,7 @@ export const MaterialSchema = strictObject(
     /** From 0 (a perfect mirror) to 1; the microfacet α is its square. */
     roughness: v.optional(fraction, 1),
     /** Index of refraction, ≥ 1, of the dielectric part; 1 has no highlight. */
-    ior: v.optional(
-      numberThat("a finite number ≥ 1", (x) => x >= 1),
-      1.5,
-    ),
+    ior: v.optional(numberThat("a finite number ≥ 1", { min: 1 }), 1.5),
     /** Radiance in W·sr⁻¹·m⁻², from the front side only. */
     emission: v.optional(light, [0, 0, 0]),
     /** The masking function of the microfacets: height-correlated Smith, or Schlick's product form. */
@@ -120,11 +117,18 @@ export type TextureField = (typeof TEXTURE_FIELDS)[number];
 /** The name of one of the scene's materials. */
 const materialName = v.string((issue) => `expected the name of a material, got ${show(issue.input)}`);
 
+/** In texels. */
+const textureSize = numberThat(`an integer from 1 to ${MAX_TEXTURE_SIZE}`, {
+  min: 1,
+  max: MAX_TEXTURE_SIZE,
+  isInteger: true,
+});
+
 /** A picture for materials. How it is read, as colour or as data, is up to the material. */
 export const TextureSchema = strictObject(
   {
-    width: numberThat(`an integer from 1 to ${MAX_TEXTURE_SIZE}`, isTextureSize),
-    height: numberThat(`an integer from 1 to ${MAX_TEXTURE_SIZE}`, isTextureSize),
+    width: textureSize,
+    height: textureSize,
     /** Red, green, blue and alpha, from 0 to 255, of each texel; rows from the top. Alpha has no meaning yet. */
     texels: bytes,
     /** What is left and right of it: texture coordinates outside of 0…1 … */
@@ -140,15 +144,40 @@ export const TextureSchema = strictObject(
   },
 );
 
+/** Something with a surface. Front sides matter for emission only: both sides reflect. */
 export const ObjectSchema = byType({
-  sphere: strictObject({ type: v.literal("sphere"), center: vec3, radius: positive, material: materialName }),
+  /** A ball. */
+  sphere: strictObject({
+    type: v.literal("sphere"),
+    /** Its middle, `[x, y, z]`. */
+    center: vec3,
+    /** In metres, > 0. */
+    radius: positive,
+    material: materialName,
+  }),
 
-  /** Infinite. */
-  plane: strictObject({ type: v.literal("plane"), point: vec3, normal: direction, material: materialName }),
+  /** An infinite plane. */
+  plane: strictObject({
+    type: v.literal("plane"),
+    /** Any of its points, `[x, y, z]`. */
+    point: vec3,
+    /** The direction its front looks, `[x, y, z]` of any length. */
+    normal: direction,
+    material: materialName,
+  }),
 
   /** A parallelogram; its front is on the side of edge1 × edge2. */
   quad: strictObject(
-    { type: v.literal("quad"), corner: vec3, edge1: direction, edge2: direction, material: materialName },
+    {
+      type: v.literal("quad"),
+      /** Where its two edges start, `[x, y, z]`. */
+      corner: vec3,
+      /** From the corner to one of its neighbours, `[x, y, z]`. */
+      edge1: direction,
+      /** From the corner to its other neighbour, `[x, y, z]`. */
+      edge2: direction,
+      material: materialName,
+    },
     ({ edge1, edge2 }, addIssue) => {
       if (edge1 && edge2 && areParallel(edge1, edge2)) {
         addIssue(["edge2"], `expected a direction that is not parallel to edge1, got ${show(edge2)}`);
@@ -156,18 +185,27 @@ export const ObjectSchema = byType({
     },
   ),
 
-  /** Its front is where the vertices run counter-clockwise. One without area is allowed and never hit. */
-  triangle: strictObject({ type: v.literal("triangle"), vertices: triple(vec3, "[a, b, c]"), material: materialName }),
+  /** A triangle; its front is where the vertices run counter-clockwise. One without area is allowed and never hit. */
+  triangle: strictObject({
+    type: v.literal("triangle"),
+    /** Three points, each `[x, y, z]`. */
+    vertices: triple(vec3, "[a, b, c]"),
+    material: materialName,
+  }),
 
+  /** A cuboid, upright, turned around the Y axis. */
   box: strictObject({
     type: v.literal("box"),
+    /** Its middle, `[x, y, z]`. */
     center: vec3,
+    /** Along its own x, y and z, in metres, each > 0. */
     size: sizes,
     /** Degrees around the Y axis through the center, counter-clockwise from above. */
     rotationY: v.optional(finite, 0),
     material: materialName,
   }),
 
+  /** Triangles that share vertices. */
   mesh: strictObject(
     {
       type: v.literal("mesh"),
@@ -203,19 +241,36 @@ export const ObjectSchema = byType({
   ),
 });
 
+/** A lamp. */
 export const LightSchema = byType({
-  /** Shines equally in all directions. Power is in watts; the intensity is power / 4π. */
-  point: strictObject({ type: v.literal("point"), position: vec3, power: light }),
+  /** A lamp without size that shines equally in all directions. */
+  point: strictObject({
+    type: v.literal("point"),
+    /** Where it is, `[x, y, z]`. */
+    position: vec3,
+    /** In watts, `[r, g, b]`; the intensity is power / 4π. */
+    power: light,
+  }),
 
-  /** A visible, black ball that emits. Its radius changes the shadow, never the power (watts). */
-  sphere: strictObject({ type: v.literal("sphere"), position: vec3, radius: positive, power: light }),
+  /** A visible, black ball that emits. */
+  sphere: strictObject({
+    type: v.literal("sphere"),
+    /** Its middle, `[x, y, z]`. */
+    position: vec3,
+    /** In metres, > 0. Changes the shadow, never the power. */
+    radius: positive,
+    /** In watts, `[r, g, b]`. */
+    power: light,
+  }),
 });
 
+/** What is behind everything. */
 export const EnvironmentSchema = strictObject({
   /** The same from everywhere, in W·sr⁻¹·m⁻². */
   radiance: v.optional(light, [0, 0, 0]),
 });
 
+/** A scene. Right-handed, Y up, metres; colours are linear Rec. 709; angles are in degrees. */
 export const SceneSchema = v.pipe(
   strictObject({
     /** For editors that check JSON while it is written; has no meaning here. */
@@ -225,12 +280,14 @@ export const SceneSchema = v.pipe(
     materials: v.optional(dictionary(MaterialSchema), {}),
     /** Pictures by name; the materials refer to them. */
     textures: v.optional(dictionary(TextureSchema), {}),
+    /** Everything that has a surface. */
     objects: list(ObjectSchema),
+    /** Lamps; surfaces whose material has an `emission` shine too. */
     lights: v.optional(list(LightSchema), []),
     environment: v.optional(EnvironmentSchema, {}),
     /** How often a path may scatter between camera and light: 0 shows emitters only, 1 is direct light. */
     maxBounces: v.optional(
-      numberThat(`an integer from 0 to ${MAX_BOUNCES}`, (x) => Number.isInteger(x) && x >= 0 && x <= MAX_BOUNCES),
+      numberThat(`an integer from 0 to ${MAX_BOUNCES}`, { min: 0, max: MAX_BOUNCES, isInteger: true }),
       8,
     ),
   }),
@@ -239,24 +296,27 @@ export const SceneSchema = v.pipe(
 
 /** What users write: everything that has a default is optional. */
 export type Scene = v.InferInput<typeof SceneSchema>;
+/** Where a scene is seen from, as users write it. */
 export type Camera = v.InferInput<typeof CameraSchema>;
+/** A surface, as users write it; every field has a default. */
 export type Material = v.InferInput<typeof MaterialSchema>;
+/** A picture for materials, as users write it. */
 export type Texture = v.InferInput<typeof TextureSchema>;
+/** One of the things in a scene, told apart by `type`. */
 export type SceneObject = v.InferInput<typeof ObjectSchema>;
+/** A lamp, as users write it, told apart by `type`. */
 export type Light = v.InferInput<typeof LightSchema>;
+/** What is behind everything, as users write it. */
 export type Environment = v.InferInput<typeof EnvironmentSchema>;
 
 /** A valid scene with every default filled in, the output of `parseScene`. */
 export type ResolvedScene = v.InferOutput<typeof SceneSchema>;
+/** A valid camera with every default filled in. */
 export type ResolvedCamera = v.InferOutput<typeof CameraSchema>;
 export type ResolvedMaterial = v.InferOutput<typeof MaterialSchema>;
 export type ResolvedTexture = v.InferOutput<typeof TextureSchema>;
 export type ResolvedObject = v.InferOutput<typeof ObjectSchema>;
 export type ResolvedLight = v.InferOutput<typeof LightSchema>;
-
-function isTextureSize(x: number): boolean {
-  return Number.isInteger(x) && x >= 1 && x <= MAX_TEXTURE_SIZE;
-}
 
 /** One of several words, the first by default. */
 function choice<const Word extends string>(words: readonly Word[], initial: NoInfer<Word>) {

@@ -1,12 +1,14 @@
-// Shows the film: mean radiance, exposed, tone-mapped, sRGB-encoded. A target of another size gets that picture stretched:
+// Shows the film: mean radiance, exposed, tone-mapped and encoded. A target of another size gets that picture stretched:
 // were radiance interpolated instead, a bright pixel would spread over its neighbours.
-import package::tonemap::{acesFitted, encodeSrgb};
+import package::tonemap::displayed;
 
 struct View {
   filmSize: vec2u,
   targetSize: vec2u,
   // Factor on radiance.
   exposure: f32,
+  // See `displayed`.
+  toneMap: u32,
 }
 
 @group(0) @binding(0) var<uniform> view: View;
@@ -29,7 +31,7 @@ fn show(@builtin(position) position: vec4f) -> @location(0) vec4f {
   let index = pixel.y * view.filmSize.x + pixel.x;
   let sum = film[index] + film[view.filmSize.x * view.filmSize.y + index];
   let radiance = sum.rgb / max(sum.w, 1.0);
-  return vec4f(encodeSrgb(acesFitted(radiance * view.exposure)), 1.0);
+  return vec4f(displayed(radiance * view.exposure, view.toneMap), 1.0);
 }
 
 @fragment

@@ -14,7 +14,7 @@ import package::scene::{PRIMITIVES, factorsOf, chooseLight, lightAt, lightBoundO
 import package::mesh::uvs;
 import package::surface::Surface;
 import package::textures::colorAt;
-import package::tree::itemAt;
+import package::tree::{TURNED_TRIANGLE, itemAt};
 
 const SPHERE_LIGHT = 0u;
 const QUAD_LIGHT = 1u;
@@ -32,7 +32,7 @@ struct Light {
   edge1: vec3f,
   kind: u32,
   edge2: vec3f,
-  // Primitive that carries the emission, NONE for a point and a mesh.
+  // What a ray that hits it names, NONE for a point and a mesh.
   id: u32,
   // Radiance; intensity of a point.
   radiance: vec3f,
@@ -190,7 +190,7 @@ fn sampleMesh(p: vec3f, light: Light, u: vec2f, pick: vec2f) -> LightSample {
   let item = itemAt(slot);
   let edge1 = item.b - item.a;
   let edge2 = item.c - item.a;
-  let front = normalize(cross(edge1, edge2)) * select(1.0, -1.0, item.isTurned);
+  let front = normalize(cross(edge1, edge2)) * select(1.0, -1.0, item.kind == TURNED_TRIANGLE);
   let at = squareToTriangle(u);
   var sample = fromArea(p, item.a + at.x * edge1 + at.y * edge2, front, light.size);
   sample.id = PRIMITIVES + slot;

@@ -4,10 +4,10 @@
 // [2] Keller et al. 2017, "The Iray Light Transport Simulation and Rendering System", appendix A.3
 // [3] Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2)
 import package::constants::NONE;
-import package::ray::{Hit, Ray};
-import package::scene::{PRIMITIVES, factorsOf};
-import package::textures::dataAt;
-import package::tree::itemAt;
+import package::ray::Ray;
+import package::scene::factorsOf;
+import package::textures::{Factors, dataAt};
+import package::tree::{Item, TURNED_TRIANGLE};
 
 // Of each triangle the normals of its three vertices, octahedral, two snorm16 each. By slot. Written by the renderer when the
 // geometry changes.
@@ -29,8 +29,6 @@ const MAX_STEP = 0x1p-8;
 struct MeshPoint {
   // Within the triangle, and not on its edges.
   p: vec3f,
-  // Primitive that the triangle is a part of.
-  id: u32,
   // Of the triangle's front, unit.
   n: vec3f,
   // How far rays that leave from p must start off the surface, so that rounding puts none on its other side.
@@ -41,9 +39,7 @@ struct MeshPoint {
   @if(TEXTURES) uv: vec2f,
 }
 
-fn meshPoint(ray: Ray, hit: Hit) -> MeshPoint {
-  let slot = hit.id - PRIMITIVES;
-  let item = itemAt(slot);
+fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
   let edge1 = item.b - item.a;
   let edge2 = item.c - item.a;
   let edge3 = item.c - item.b;
@@ -56,7 +52,7 @@ fn meshPoint(ray: Ray, hit: Hit) -> MeshPoint {
   let normal = area / twiceArea;
 
   // Barycentric coordinates of where the ray is, rid of its distance's rounding.
-  let q = (ray.o + hit.t * ray.d - item.a) / longest;
+  let q = (ray.o + t * ray.d - item.a) / longest;
   let along = vec2f(dot(cross(q, e2), normal), dot(cross(e1, q), normal)) / twiceArea;
   var weights = max(vec3f(1.0 - along.x - along.y, along), vec3f(0.0));
   weights /= weights.x + weights.y + weights.z;
@@ -66,14 +62,13 @@ fn meshPoint(ray: Ray, hit: Hit) -> MeshPoint {
 
   var found: MeshPoint;
   found.p = weights.x * item.a + weights.y * item.b + weights.z * item.c;
-  found.id = item.id;
-  found.n = select(normal, -normal, item.isTurned);
+  found.n = select(normal, -normal, item.kind == TURNED_TRIANGLE);
   found.clearance = dot(abs(normal), error);
   @if(TEXTURES) found.uv = uvAt(slot, weights);
   @if(SHADING_NORMALS) {
     var shading = found.n;
     @if(SMOOTH) shading = interpolatedNormal(slot, weights, found.n);
-    @if(NORMAL_TEXTURES) shading = texturedNormal(slot, found, shading, e1, e2);
+    @if(NORMAL_TEXTURES) shading = texturedNormal(slot, factorsOf(item.id), found.uv, shading, e1, e2);
     found.shading = select(shading, -shading, dot(shading, found.n) < 0.0);
   }
   return found;
@@ -95,8 +90,7 @@ fn uvAt(slot: u32, weights: vec3f) -> vec2f {
 // The normal that a texture tells, in glTF's tangent space: x along growing u, y along falling v. e1 and e2 are the triangle's
 // edges from its first vertex, in any unit.
 @if(NORMAL_TEXTURES)
-fn texturedNormal(slot: u32, point: MeshPoint, n: vec3f, e1: vec3f, e2: vec3f) -> vec3f {
-  let factors = factorsOf(point.id);
+fn texturedNormal(slot: u32, factors: Factors, uv: vec2f, n: vec3f, e1: vec3f, e2: vec3f) -> vec3f {
   let d1 = uvs[3u * slot + 1u] - uvs[3u * slot];
   let d2 = uvs[3u * slot + 2u] - uvs[3u * slot];
   let turn = sign(d1.x * d2.y - d1.y * d2.x);
@@ -109,7 +103,7 @@ fn texturedNormal(slot: u32, point: MeshPoint, n: vec3f, e1: vec3f, e2: vec3f) -
   let tangent = flat / size;
   let side = cross(n, tangent);
   let bitangent = select(side, -side, dot(side, alongV) > 0.0);
-  let told = 2.0 * dataAt(factors.normalTexture, point.uv) - 1.0;
+  let told = 2.0 * dataAt(factors.normalTexture, uv) - 1.0;
   let bent = factors.normalScale * (told.x * tangent + told.y * bitangent) + told.z * n;
   return normalize(select(bent, n, dot(bent, bent) < 1e-12));
 }

@@ -1,4 +1,5 @@
 // What a ray finds where it hits.
+import package::box::boxNormal;
 import package::bsdf::{Bsdf, specularShare};
 import package::constants::{INSIDE, NONE};
 import package::frame::{Frame, frameAround, toLocal};
@@ -6,7 +7,7 @@ import package::lights::sphereLightPdf;
 import package::mesh::{MeshPoint, consistentNormal, meshPoint};
 import package::multiscatter::multiscatterGain;
 import package::ray::{Hit, Ray};
-import package::tree::itemAt;
+import package::tree::{BOX, Item, TURNED_TRIANGLE, itemAt};
 import package::textures::{colorAt, dataAt};
 import package::scene::{F0Of, PRIMITIVES, factorsOf, alphaOf, anchorOf, diffuseOf, emissionOf, f0Of, f90Of, lightDensityOf, multiscatterOf, schlickBeckmannOf, shapeNormal, shapeOf};
 
@@ -46,13 +47,18 @@ struct Surface {
 
 fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   var id = hit.id;
-  @if(MESHES) let isTriangle = hit.id >= PRIMITIVES;
+  @if(TREE) var item: Item;
+  @if(TREE) let isItem = hit.id >= PRIMITIVES;
+  @if(TREE) {
+    if (isItem) {
+      item = itemAt(hit.id - PRIMITIVES);
+      id = item.id;
+    }
+  }
+  @if(MESHES) let isTriangle = isItem & (item.kind <= TURNED_TRIANGLE);
   @if(MESHES) var triangle: MeshPoint;
   @if(MESHES) {
-    if (isTriangle) {
-      triangle = meshPoint(ray, hit);
-      id = triangle.id;
-    }
+    if (isTriangle) { triangle = meshPoint(ray, hit.t, hit.id - PRIMITIVES, item); }
   }
   let shape = shapeOf(id);
   var p = ray.o + hit.t * ray.d;
@@ -83,6 +89,9 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
     p = select(p, flight - height * n, isHuge);
   }
   @if(BOXES) n = shapeNormal(ray, id, p, n);
+  @if(TREE_BOXES) {
+    if (isItem & (item.kind == BOX)) { n = boxNormal(ray, p, item.a, item.b, item.c.xy, hit.id); }
+  }
   @if(MESHES) n = select(n, triangle.n, isTriangle);
   let cosine = -dot(ray.d, n);
   var front = cosine > 0.0;
@@ -90,7 +99,7 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
     // A sphere is met from the side the ray starts on; at grazing angles rounding would have it otherwise now and then. Of a
     // huge one the origin's side is the less certain.
     let toOrigin = ray.o - shape.xyz;
-    let startsInside = (ray.source == (id | INSIDE)) | (dot(toOrigin, toOrigin) < shape.w * shape.w);
+    let startsInside = (ray.source == (hit.id | INSIDE)) | (dot(toOrigin, toOrigin) < shape.w * shape.w);
     @if(!HUGE_SPHERES) front = select(front, !startsInside, isSphere);
     @if(HUGE_SPHERES) front = select(front, !startsInside, isSphere & !isHuge);
   }
@@ -121,10 +130,10 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   return surface;
 }
 
-// The primitive of what a ray hits: of a triangle, its mesh.
+// The primitive of what a ray hits: of a triangle of a mesh, the mesh.
 fn primitiveOf(id: u32) -> u32 {
-  @if(MESHES) return select(id, itemAt(id - PRIMITIVES).id, id >= PRIMITIVES);
-  @if(!MESHES) return id;
+  @if(TREE) return select(id, itemAt(id - PRIMITIVES).id, id >= PRIMITIVES);
+  @if(!TREE) return id;
 }
 
 // How a primitive scatters, seen under cosO, at texture coordinates. Reads only what the scene's materials make use of: every

@@ -1,13 +1,16 @@
-// What is not unrolled into the program: the triangles of meshes, in a binary tree of boxes.
+// What is not unrolled into the program: the triangles of meshes, and other shapes where there are many, in a binary tree of
+// boxes.
 //
 // Nodes and items are in textures: a software adapter loads a texel's four words for little more than one word of a buffer,
 // and graphics hardware has a cache for them.
 //
 // [1] Aila, Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs"
 // [2] Ize 2013, "Robust BVH Ray Traversal", JCGT 2(2)
+import package::box::turnedBoxIntersect;
 import package::constants::FAR;
-import package::planar::{Shear, shearOf, triangleIntersect};
+import package::planar::{Shear, quadIntersect, shearOf, triangleIntersect};
 import package::ray::{Hit, Ray, between, nearer};
+import package::sphere::sphereIntersect;
 import package::scene::{PRIMITIVES, STACK_SIZE};
 
 // Four texels each, rows of 8192; see compile/packTree.ts. Written by the renderer when the geometry changes.
@@ -15,17 +18,25 @@ import package::scene::{PRIMITIVES, STACK_SIZE};
 // Three texels each, rows of 8192, by slot; see compile/packItems.ts. Written by the renderer when the geometry changes.
 @group(0) @binding(6) var items: texture_2d<u32>;
 
-// A triangle of a mesh.
+// A triangle: its vertices, in the order of compile/rims.ts. A sphere: centre and, in w, radius. A quad: centre, dual vectors of
+// its half edges and, in w, the length of the longer one. A box: centre, half size, cosine and sine of its turn.
 struct Item {
-  // Vertices, in the order of compile/rims.ts.
   a: vec3f,
   b: vec3f,
   c: vec3f,
-  // The primitive it is a part of.
+  w: f32,
+  // The primitive it is, or is a part of.
   id: u32,
-  // Whether a, b, c run clockwise seen from its front.
-  isTurned: bool,
+  kind: u32,
 }
+
+const MESH_TRIANGLE = 0u;
+// Its vertices run clockwise seen from its front.
+const TURNED_TRIANGLE = 1u;
+const TRIANGLE = 2u;
+const SPHERE = 3u;
+const QUAD = 4u;
+const BOX = 5u;
 
 // A link is the index of a node, or LEAF, how many items the leaf has and the slot of the first.
 const LEAF = 0x80000000u;
@@ -46,7 +57,18 @@ fn itemAt(slot: u32) -> Item {
   let a = texel(items, 3u * slot);
   let b = texel(items, 3u * slot + 1u);
   let c = texel(items, 3u * slot + 2u);
-  return Item(bitcast<vec3f>(a.xyz), bitcast<vec3f>(b.xyz), bitcast<vec3f>(c.xyz), a.w, b.w != 0u);
+  return Item(bitcast<vec3f>(a.xyz), bitcast<vec3f>(b.xyz), bitcast<vec3f>(c.xyz), bitcast<f32>(c.w), a.w, b.w);
+}
+
+// Distance to an item that a ray would name `id`, not positive for a miss.
+fn itemIntersect(ray: Ray, shear: Shear, slot: u32, id: u32) -> f32 {
+  let item = itemAt(slot);
+  var t = -1.0;
+  @if(TREE_TRIANGLES) t = triangleIntersect(shear, item.a, item.b, item.c);
+  @if(TREE_SPHERES) t = select(t, sphereIntersect(ray, item.a, item.w, id), item.kind == SPHERE);
+  @if(TREE_QUADS) t = select(t, quadIntersect(ray, item.a, cross(item.b, item.c), item.b, item.c, item.w), item.kind == QUAD);
+  @if(TREE_BOXES) t = select(t, turnedBoxIntersect(ray, item.a, item.b, item.c.xy, id), item.kind == BOX);
+  return t;
 }
 
 fn texel(texture: texture_2d<u32>, index: u32) -> vec4u {
@@ -65,8 +87,8 @@ fn treeClosest(ray: Ray, found: Hit) -> Hit {
     let first = link & SLOT_MASK;
     let end = first + ((link & ~LEAF) >> COUNT_SHIFT);
     for (var slot = first; slot < end; slot++) {
-      let item = itemAt(slot);
-      hit = nearer(hit, triangleIntersect(shear, item.a, item.b, item.c), PRIMITIVES + slot, ray);
+      let id = PRIMITIVES + slot;
+      hit = nearer(hit, itemIntersect(ray, shear, slot, id), id, ray);
     }
     link = nextWaiting(NOTHING, true);
   }
@@ -85,9 +107,8 @@ fn treeOccludes(ray: Ray, distance: f32, target_: u32) -> bool {
     let first = link & SLOT_MASK;
     let end = first + ((link & ~LEAF) >> COUNT_SHIFT);
     for (var slot = first; slot < end; slot++) {
-      let item = itemAt(slot);
-      let t = triangleIntersect(shear, item.a, item.b, item.c);
-      blocked |= between(t, distance, PRIMITIVES + slot, ray) & (PRIMITIVES + slot != target_);
+      let id = PRIMITIVES + slot;
+      blocked |= between(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
     }
     if (blocked) { break; }
     link = nextWaiting(NOTHING, true);

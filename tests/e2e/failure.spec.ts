@@ -1,6 +1,6 @@
 import type { RtViewerElement } from "../../src/element";
 import { expect, test } from "./support/test";
-import { addViewer, openFixture, openViewer, waitForSamples } from "./support/viewer";
+import { addViewer, openFixture, waitForSamples } from "./support/viewer";
 
 const HOSTILE = "<img src=x onerror=alert(1)>";
 
@@ -79,10 +79,4 @@ test("without an adapter the element says so", async ({ page }) => {
   await openFixture(page);
   const viewer = await addViewer(page, { src: "spheres.json" });
   await expect(viewer.getByRole("alert")).toContainText(/adapter/);
-});
-
-test("a lost device is told", async ({ page }) => {
-  const viewer = await openViewer(page, { src: "spheres.json" }, 2);
-  await viewer.evaluate((element: RtViewerElement) => element.tracer?.device.destroy());
-  await expect(viewer.getByRole("alert")).toContainText(/device was lost/);
 });

@@ -86,6 +86,7 @@ test("properties that were set before the element was defined are honoured", asy
   await page.evaluate(() => {
     const viewer = document.createElement("rt-viewer");
     Object.assign(viewer, { src: "spheres.json", controls: true, settings: { lightSamples: 3 }, exposure: 1 });
+    Object.assign(viewer, { maxSamples: 64, toneMap: "agx", camera: { position: [0, 2, 9] } });
     document.body.append(viewer);
   });
   const viewer = page.locator("rt-viewer");
@@ -93,6 +94,10 @@ test("properties that were set before the element was defined are honoured", asy
   await expect(viewer).toHaveAttribute("controls");
   await expect(viewer).toHaveAttribute("light-samples", "3");
   await expect(viewer).toHaveAttribute("exposure", "1");
+  await expect(viewer).toHaveAttribute("max-samples", "64");
+  await expect(viewer).toHaveAttribute("tone-map", "agx");
+  const camera = await viewer.evaluate((element: RtViewerElement) => element.camera);
+  expect(camera?.position).toEqual([0, 2, 9]);
 });
 
 test("out of sight it makes its first picture and then rests", async ({ page }) => {

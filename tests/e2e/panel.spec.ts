@@ -1,5 +1,6 @@
 import type { RtViewerElement } from "../../src/element";
 import { type Area, meanColor, pictureOf } from "./support/picture";
+import { report } from "./support/report";
 import { expect, test } from "./support/test";
 import { addViewer, openFixture, openViewer, waitForSamples } from "./support/viewer";
 
@@ -81,4 +82,159 @@ test("a small element starts with its panel folded, and so does one that asks fo
   await small.evaluate((element: RtViewerElement) => element.remove());
   const folded = await addViewer(page, { ...ROOMY, stats: "folded" });
   await expect(folded.locator(".tp-rotv")).not.toHaveClass(/expanded/);
+});
+
+test("a panel taller than the element scrolls inside of it", async ({ page }) => {
+  const viewer = await openViewer(page, { ...ROOMY, style: "width:640px;height:300px" });
+  await expect(viewer.getByText("bad samples")).toBeAttached();
+  const panel = viewer.locator(".panel");
+  const [box, room] = [(await panel.boundingBox())!, (await viewer.boundingBox())!];
+  expect(box.y + box.height).toBeLessThanOrEqual(room.y + room.height);
+  const copy = viewer.getByRole("button", { name: "Copy figures as JSON" });
+  await copy.scrollIntoViewIfNeeded();
+  const button = (await copy.boundingBox())!;
+  expect(button.y + button.height).toBeLessThanOrEqual(room.y + room.height);
+});
+
+test("the document is left as it is: no style of the panel's is in its head", async ({ page }) => {
+  const viewer = await openViewer(page, ROOMY);
+  await expect(viewer.getByText("bad samples")).toBeVisible();
+  expect(await page.locator("head style").count()).toBe(1); // the test page's own
+  // And yet it has its looks.
+  await expect(viewer.locator(".tp-rotv")).toHaveCSS("border-radius", "8px");
+  await expect(viewer.locator(".tp-sglv_i").first()).toHaveCSS("appearance", "none");
+});
+
+test("the panel follows the colour scheme", async ({ page }) => {
+  const viewer = await openViewer(page, ROOMY);
+  const brightness = () =>
+    viewer.locator(".tp-rotv").evaluate((pane) => Number(/\d+/.exec(getComputedStyle(pane).backgroundColor)![0]));
+  await page.emulateMedia({ colorScheme: "dark" });
+  await expect.poll(brightness).toBeLessThan(60);
+  await page.emulateMedia({ colorScheme: "light" });
+  await expect.poll(brightness).toBeGreaterThan(200);
+});
+
+test("every field of the panel has a name for those who do not see its label", async ({ page }) => {
+  const viewer = await openViewer(page, ROOMY);
+  for (const part of ["objects[2] · sphere · gold", "lights[0] · sphere"]) {
+    await viewer.getByLabel("object or light").selectOption({ label: part });
+    const nameless = await viewer
+      .locator(".panel :is(input, select, textarea)")
+      .evaluateAll((fields) => fields.filter((field) => !field.ariaLabel).map((field) => field.outerHTML));
+    expect(nameless).toEqual([]);
+  }
+});
+
+test.describe("the shader's text", () => {
+  test("opens over the page, word for word, and closes with Escape or its button", async ({ page }) => {
+    const viewer = await openViewer(page, ROOMY);
+    await viewer.getByLabel("object or light").selectOption({ label: "objects[1] · sphere · red" });
+    await viewer.getByRole("button", { name: "Shader" }).click();
+    const show = viewer.getByRole("button", { name: "Show WGSL" });
+    const dialog = viewer.getByRole("dialog");
+
+    await show.press("Enter");
+    await expect(dialog).toBeVisible();
+    const [shown, wgsl] = await viewer.evaluate((element: RtViewerElement) => [
+      element.shadowRoot!.querySelector("dialog pre")!.textContent,
+      element.tracer!.program.wgsl,
+    ]);
+    expect(shown).toBe(wgsl);
+    expect(shown).toContain("fn closestHit");
+    await page.keyboard.press("Escape");
+    await expect(dialog).toHaveCount(0);
+    await expect(show).toBeFocused();
+    // That was for the dialog, not for what is chosen.
+    await expect(viewer.getByRole("button", { name: "material · red" })).toBeVisible();
+
+    await show.click();
+    await dialog.getByRole("button", { name: "Close" }).click();
+    await expect(dialog).toHaveCount(0);
+  });
+
+  test("can be copied", async ({ page, context }) => {
+    await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+    const viewer = await openViewer(page, ROOMY);
+    await viewer.getByRole("button", { name: "Shader" }).click();
+    await viewer.getByRole("button", { name: "Show WGSL" }).click();
+    await viewer.getByRole("dialog").getByRole("button", { name: "Copy" }).click();
+    await expect(viewer.getByRole("dialog").getByText("Copied")).toBeVisible();
+    const wgsl = await viewer.evaluate((element: RtViewerElement) => element.tracer!.program.wgsl);
+    expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(wgsl);
+  });
+});
+
+for (const isRefused of [false, true]) {
+  test(`the figures can be copied as JSON${isRefused ? ", where the clipboard's API is refused too" : ""}`, async ({
+    page,
+    context,
+  }) => {
+    await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+    const viewer = await openViewer(page, ROOMY, 2);
+    if (isRefused) {
+      await page.evaluate(() => {
+        navigator.clipboard.writeText = () => Promise.reject(new DOMException("no", "NotAllowedError"));
+      });
+    }
+    const copy = viewer.getByRole("button", { name: "Copy figures as JSON" });
+    await copy.click();
+    await expect(viewer.getByRole("button", { name: "Copied" })).toBeVisible();
+    await expect(copy).toBeVisible(); // again
+    const figures = JSON.parse(await page.evaluate(() => navigator.clipboard.readText()));
+    expect(figures).toMatchObject({ badSamples: 0, adapter: expect.any(String), features: expect.any(Array) });
+    expect(figures.samples).toBeGreaterThanOrEqual(2);
+    expect(figures.seconds).toBeGreaterThan(0);
+  });
+}
+
+test("the panel takes less than a millisecond of a frame", async ({ page }) => {
+  await openFixture(page);
+  const costs = await page.evaluate(async () => {
+    const { createPanel } = await loadPanel();
+    const root = document.body.attachShadow({ mode: "open" });
+    const container = root.appendChild(document.createElement("div"));
+    container.style.width = "236px";
+    const material = { baseColor: [1, 1, 1], metallic: 1, roughness: 0.5, ior: 1.5, emission: [0, 0, 0] } as const;
+    const gold = { ...material, masking: "smith", multiscatter: false, normalScale: 1 } as const;
+    const camera = { position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 45 } as const;
+    const scene = {
+      ...{ camera, materials: { gold }, textures: {}, lights: [], environment: { radiance: [0, 0, 0] } as const },
+      objects: Array.from({ length: 40 }, () => {
+        return { type: "sphere", center: [0, 0, 0], radius: 1, material: "gold" } as const;
+      }),
+      maxBounces: 8,
+    } as const;
+    const stats = {
+      ...{ fps: 60, frameMs: 16.7, gpuMs: 11, samples: 0, seconds: 0, pathsPerSecond: 2e6, raysPerSecond: 9e6 },
+      ...{ error: 1, badSamples: 0, compileSeconds: 0.2, converged: false, adapter: "none", features: ["sphere"] },
+    };
+    const knobs = {
+      ...{ samplesPerFrame: 1, lightSamples: 1, maxBounces: 8, exposure: 0, targetError: 0 },
+      ...({ estimator: "path", sampler: "sobol" } as const),
+    };
+    const panel = createPanel({
+      ...{ container, stats, knobs, wgsl: () => "", onChange: () => {}, onReset: () => {} },
+      editor: { scene, onEdit: () => {}, onSelect: () => {} },
+    });
+    panel.select({ kind: "object", index: 3 });
+    for (const button of root.querySelectorAll("button")) if (/Shader/.test(button.textContent)) button.click();
+
+    const spent: number[] = [];
+    // In each frame one part of it is due, and every figure is another one each time.
+    for (let i = 1; i <= 300; i++) {
+      await new Promise(requestAnimationFrame);
+      Object.assign(stats, { samples: i, seconds: 0.2 * i, error: 1 / Math.sqrt(i), fps: 50 + (i % 13) });
+      Object.assign(stats, { raysPerSecond: 9e6 + 1e5 * i, pathsPerSecond: 2e6 + 1e5 * i, gpuMs: 10 + (i % 7) });
+      const start = performance.now();
+      panel.refresh(40 * i);
+      void container.offsetHeight; // and the layout that follows from it
+      spent.push(performance.now() - start);
+    }
+    return spent.sort((a, b) => a - b);
+  });
+  const at = (share: number) => Math.round(1000 * costs[Math.floor(share * (costs.length - 1))]!) / 1000;
+  report("panelMs", { median: at(0.5), p95: at(0.95), most: at(1), frames: costs.length });
+  expect(at(0.5)).toBeLessThan(1);
+  expect(at(0.95)).toBeLessThan(1);
 });

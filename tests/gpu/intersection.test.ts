@@ -1,5 +1,6 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { compileScene } from "../../src/compile/compileScene";
+import { prepareGeometry } from "../../src/compile/geometry";
 import { parseScene } from "../../src/scene/parseScene";
 import type { ResolvedScene, SceneObject, Vec3 } from "../../src/scene/schema";
 import { add, type Meeting, meetings, type Source, scale } from "../support/oracle";
@@ -28,8 +29,14 @@ type Ray = { readonly o: Vec3; readonly d: Vec3; readonly wi: Vec3; readonly rea
 const NONE = 0xffffffff;
 const INSIDE = 0x80000000;
 
-describe.each([1, 2, 3, 4])("twenty primitives of all kinds and 20,000 rays, seed %d", (seed) => {
-  const scene = randomScene(seed);
+// Twenty primitives are unrolled into the program; of fifty-six, all but the planes are in its tree.
+const CASES = [
+  ...[1, 2, 3, 4].map((seed) => ({ seed, count: 20, copies: 1 })),
+  ...[5, 6].map((seed) => ({ seed, count: 56, copies: 3 })),
+];
+
+describe.each(CASES)("$count primitives of all kinds and 20,000 rays, seed $seed", ({ seed, copies }) => {
+  const scene = randomScene(seed, copies);
   const rays = randomRays(seed);
   let traced: readonly Traced[];
 
@@ -110,7 +117,8 @@ function allowance({ t, cosine }: Meeting, o: Vec3): number {
 
 async function trace(scene: ResolvedScene, rays: readonly Ray[]): Promise<Traced[]> {
   const settings = { estimator: "path", sampler: "sobol", lightSamples: 1 } as const;
-  const { sceneModule, features, uniform } = compileScene(scene, settings);
+  const geometry = await prepareGeometry(scene);
+  const { sceneModule, features, uniform } = compileScene(scene, settings, undefined, geometry);
   const words = await runProbe({
     wgsl: `
       import package::constants::{INSIDE, NONE};
@@ -140,22 +148,25 @@ async function trace(scene: ResolvedScene, rays: readonly Ray[]): Promise<Traced
     conditions: features,
     modules: { "./scene.wgsl": sceneModule },
     scene: uniform,
+    geometry,
     count: rays.length,
     inputs: new Float32Array(rays.flatMap(({ o, d, wi, reach }) => [...o, reach, ...d, 0, ...wi, 0])),
     outputRows: 4 * rays.length,
   });
+  const idBySlot = new Map(Array.from(geometry?.shapes ?? [], ([id, slot]) => [scene.objects.length + slot, id]));
+  const idOf = (hitId: number) => idBySlot.get(hitId) ?? hitId;
   const floats = new Float32Array(words.buffer);
   const vector = (at: number): Vec3 => [floats[at]!, floats[at + 1]!, floats[at + 2]!];
   return rays.map((_, i) => {
     const at = 16 * i;
     return {
-      id: words[at]!,
+      id: idOf(words[at]!),
       t: floats[at + 1]!,
       blocked: words[at + 2] === 1,
       p: vector(at + 4),
       inside: words[at + 7]! >= INSIDE,
       d: vector(at + 8),
-      nextId: words[at + 12]!,
+      nextId: idOf(words[at + 12]!),
       nextT: floats[at + 13]!,
     };
   });
@@ -173,7 +184,7 @@ function randomRays(seed: number): Ray[] {
 }
 
 /** All coordinates are multiples of 1/256, exact in f32, so that shader and oracle mean the same scene. */
-function randomScene(seed: number): ResolvedScene {
+function randomScene(seed: number, copies: number): ResolvedScene {
   const random = createRandom(seed);
   const at = (): Vec3 => rounded([6 * random() - 3, 6 * random() - 3, 6 * random() - 3]);
   const size = () => Math.round(256 * (0.25 + 1.25 * random())) / 256;
@@ -184,7 +195,7 @@ function randomScene(seed: number): ResolvedScene {
     [0, 0, 1],
   ];
   const material = "m";
-  const objects: SceneObject[] = [
+  const bounded = (): SceneObject[] => [
     ...Array.from({ length: 5 }, (): SceneObject => ({ type: "sphere", center: at(), radius: size(), material })),
     ...Array.from(
       { length: 3 },
@@ -212,6 +223,9 @@ function randomScene(seed: number): ResolvedScene {
       const a = at();
       return { type: "triangle", vertices: [a, add(a, edge()), add(a, edge())], material };
     }),
+  ];
+  const objects: SceneObject[] = [
+    ...Array.from({ length: copies }, bounded).flat(),
     { type: "plane", point: [0, -4.5, 0], normal: [0, 1, 0], material },
     { type: "plane", point: [0, 0, -5], normal: [0.25, -0.125, 1], material },
   ];

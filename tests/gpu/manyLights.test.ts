@@ -45,9 +45,35 @@ function litScene(floor: Material, seed: number): Scene {
   };
 }
 
-describe.each(Object.keys(FLOORS))("ten lights of every kind over %s, seed 31", (name) => {
-  const scene = litScene(FLOORS[name]!, 31);
-  const render = (settings: object) => renderSeeds(scene, { size: SIZE, samples: SAMPLES, seeds: SEEDS, settings });
+/** So many lamps more that they are looked up in a loop, and so many spheres that the scene is in a tree and a storage buffer. */
+function crowded(scene: Scene, seed: number): Scene {
+  const random = createRandom(seed);
+  const around = (y: number): [number, number, number] => [4 * random() - 2, y, 4 * random() - 2];
+  const lamps = Array.from(
+    { length: 60 },
+    (): Light => ({ type: "sphere", position: around(1 + random()), radius: 0.05, power: [3, 3, 3] }),
+  );
+  const pebbles = Array.from(
+    { length: 600 },
+    (): SceneObject => ({ type: "sphere", center: around(0.02), radius: 0.02, material: "floor" }),
+  );
+  return { ...scene, objects: [...scene.objects, ...pebbles], lights: [...scene.lights!, ...lamps] };
+}
+
+const CASES = [
+  ...Object.entries(FLOORS).map(([name, floor]) => {
+    return { name: `ten lights of every kind over ${name}`, scene: litScene(floor, 31), size: SIZE, samples: SAMPLES };
+  }),
+  {
+    name: "seventy lights over six hundred pebbles",
+    scene: crowded(litScene(FLOORS["a diffuse floor"]!, 31), 32),
+    size: [24, 24] as const,
+    samples: 96,
+  },
+];
+
+describe.each(CASES)("$name, seed 31", ({ name, scene, size, samples }) => {
+  const render = (settings: object) => renderSeeds(scene, { size, samples, seeds: SEEDS, settings });
   const meanOf = (renders: Awaited<ReturnType<typeof render>>) => {
     const means = renders.map(({ image }) => measurePoint(image).mean);
     const mean = means.reduce((sum, value) => sum + value, 0) / means.length;

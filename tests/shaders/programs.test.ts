@@ -117,6 +117,21 @@ describe.each(ESTIMATORS)("$estimator estimator", (settings) => {
   });
 });
 
+test.each(Object.keys(PRIMITIVES))(
+  "what picks %s compiles without a warning, and so does what picks all or nothing",
+  async (name) => {
+    for (const objects of [[PRIMITIVES[name]!], Object.values(PRIMITIVES), []]) {
+      for (const lights of [LIGHTS["no light"]!, LIGHTS["lights of both kinds"]!]) {
+        const scene = parseScene(sceneOf(objects, { m: {} }, lights, [1, 1, 1]));
+        const { sceneModule, features } = compileScene(scene, ESTIMATORS[0]!);
+        const wgsl = await linkProgram(sceneModule, features, "pick");
+        expect(await diagnose(wgsl)).toEqual([]);
+        expect(await diagnosePipeline(wgsl, "pick")).toEqual([]);
+      }
+    }
+  },
+);
+
 test.each(["blit", "error"])("the module %s compiles without a warning", async (name) => {
   expect(await diagnose(await linkModule(name))).toEqual([]);
 });

@@ -30,6 +30,8 @@ export type Probe = {
   readonly scene?: ArrayBuffer;
   /** Of a scene with meshes; `conditions` are its features then. */
   readonly geometry?: Geometry | undefined;
+  /** Whether `scene` is in a storage buffer. */
+  readonly isStored?: boolean;
 };
 
 const WORKGROUP = 64;
@@ -38,7 +40,17 @@ const INPUTS = 20;
 const OUTPUTS = 21;
 
 /** Runs functions of the shader modules on the device, each on its own, and returns the words that they wrote. */
-export async function runProbe({ wgsl, conditions, count, inputs, outputRows, modules, scene, geometry }: Probe) {
+export async function runProbe({
+  wgsl,
+  conditions,
+  count,
+  inputs,
+  outputRows,
+  modules,
+  scene,
+  geometry,
+  isStored,
+}: Probe) {
   const device = await testDevice();
   const { dest } = await link({
     weslSrc: { ...MODULES, ...modules, "./probe.wgsl": `${wgsl}\n${harness(count)}` },
@@ -50,7 +62,15 @@ export async function runProbe({ wgsl, conditions, count, inputs, outputRows, mo
   const layout = device.createBindGroupLayout({
     label: "probe",
     entries: [
-      ...(scene ? [{ binding: 1, visibility, buffer: { type: "uniform" as const } }] : []),
+      ...(scene
+        ? [
+            {
+              binding: 1,
+              visibility,
+              buffer: { type: isStored ? ("read-only-storage" as const) : ("uniform" as const) },
+            },
+          ]
+        : []),
       ...geometryEntries,
       { binding: INPUTS, visibility, buffer: { type: "read-only-storage" } },
       { binding: OUTPUTS, visibility, buffer: { type: "storage" } },
@@ -66,7 +86,7 @@ export async function runProbe({ wgsl, conditions, count, inputs, outputRows, mo
   const output = create("probe outputs", bytes, STORAGE | COPY_SRC);
   const staging = create("probe readback", bytes, COPY_DST | MAP_READ);
   const sceneGeometry = new SceneGeometry(device, geometry);
-  const uniform = scene && create("scene", scene.byteLength, UNIFORM | COPY_DST);
+  const uniform = scene && create("scene", scene.byteLength, UNIFORM | STORAGE | COPY_DST);
   device.queue.writeBuffer(input, 0, inputs.buffer as ArrayBuffer, inputs.byteOffset, inputs.byteLength);
   if (scene && uniform) device.queue.writeBuffer(uniform, 0, scene);
 

@@ -66,7 +66,7 @@ export async function traceRays(scene: Scene, rays: Rays, method: Method = "ours
   const resolved = parseScene(scene);
   const settings = { estimator: "path", sampler: "sobol", lightSamples: 1 } as const;
   const geometry = await prepareGeometry(resolved);
-  const { sceneModule, features, uniform } = compileScene(resolved, settings, undefined, geometry);
+  const { sceneModule, features, uniform, isStored } = compileScene(resolved, settings, undefined, geometry);
   const isOurs = method === "ours";
   const words = await runProbe({
     wgsl: `
@@ -92,6 +92,7 @@ export async function traceRays(scene: Scene, rays: Rays, method: Method = "ours
     modules: { ...(isOurs ? {} : TEXTBOOK), "./scene.wgsl": sceneModule },
     scene: uniform,
     geometry,
+    isStored,
     count: rays.count,
     inputs: rays.values,
     outputRows: 3 * rays.count,

@@ -1,20 +1,28 @@
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
-import { build, type Rollup } from "vite";
-import { expect, test } from "vitest";
+import { build, type InlineConfig, type Rollup } from "vite";
+import { beforeAll, expect, test } from "vitest";
 import { leanShaders } from "../../vite.config";
 
 const LIMIT_KB = 70;
+const PANEL_LIMIT_KB = 40;
+const SINGLE_FILE_LIMIT_KB = 120;
+
+type Chunk = Rollup.OutputChunk;
+
+async function chunksOf(config: InlineConfig): Promise<Chunk[]> {
+  const result = await build({ ...config, logLevel: "error", build: { ...config.build, write: false } });
+  const outputs = [result].flat() as Rollup.RollupOutput[]; // a list, if it is built as a library
+  return outputs.flatMap(({ output }) => output.filter((chunk) => chunk.type === "chunk"));
+}
 
 /** What a page that uses the whole package downloads, its dependencies included, minified as a page's bundler would. */
-async function bundle(): Promise<Rollup.OutputChunk[]> {
+function bundle(): Promise<Chunk[]> {
   const source = (path: string) => fileURLToPath(new URL(`../../src/${path}`, import.meta.url));
-  const result = await build({
+  return chunksOf({
     configFile: false,
     plugins: [leanShaders()],
-    logLevel: "error",
     build: {
-      write: false,
       minify: true,
       target: "es2022",
       rollupOptions: {
@@ -24,35 +32,63 @@ async function bundle(): Promise<Rollup.OutputChunk[]> {
       },
     },
   });
-  return (result as Rollup.RollupOutput).output.filter((chunk) => chunk.type === "chunk");
 }
 
-/** The entries and everything they import before they run; not what they load on demand. */
-function loadedAtOnce(chunks: readonly Rollup.OutputChunk[]): Set<Rollup.OutputChunk> {
+/** These and everything they import before they run; not what they load on demand. */
+function loadedWith(entries: readonly Chunk[], chunks: readonly Chunk[]): Set<Chunk> {
   const byName = new Map(chunks.map((chunk) => [chunk.fileName, chunk]));
-  const loaded = new Set(chunks.filter((chunk) => chunk.isEntry));
+  const loaded = new Set(entries);
   for (const chunk of loaded) for (const name of chunk.imports) loaded.add(byName.get(name)!);
   return loaded;
 }
 
-test(`the package and its element take at most ${LIMIT_KB} kB, gzipped, without the panel and the loaders`, {
-  timeout: 60_000,
-}, async () => {
-  const chunks = await bundle();
-  const atOnce = loadedAtOnce(chunks);
-  const sizeOf = (chunk: Rollup.OutputChunk) => gzipSync(chunk.code).length / 1000;
+const kilobytes = (chunks: Iterable<Chunk>) =>
+  [...chunks].reduce((sum, { code }) => sum + gzipSync(code).length / 1000, 0);
+const isPanelCode = (id: string) => /tweakpane|src\/panel\//.test(id);
+const isGltfCode = (id: string) => /gltf-transform|src\/loaders\/gltf/.test(id);
 
+let chunks: Chunk[];
+let atOnce: Set<Chunk>;
+beforeAll(async () => {
+  chunks = await bundle();
+  atOnce = loadedWith(
+    chunks.filter(({ isEntry }) => isEntry),
+    chunks,
+  );
+}, 60_000);
+
+test(`the package and its element take at most ${LIMIT_KB} kB, gzipped, without the panel and the loaders`, () => {
   const lines = chunks.map((chunk) => {
     const when = atOnce.has(chunk) ? "" : " (on demand)";
-    return `${sizeOf(chunk).toFixed(1).padStart(6)} kB gzip  ${chunk.name}${when}`;
+    return `${kilobytes([chunk]).toFixed(1).padStart(6)} kB gzip  ${chunk.name}${when}`;
   });
-  const total = [...atOnce].reduce((sum, chunk) => sum + sizeOf(chunk), 0);
+  const total = kilobytes(atOnce);
   console.log([...lines, `${total.toFixed(1).padStart(6)} kB gzip  index.js + element.js`].join("\n"));
 
   expect(total).toBeLessThanOrEqual(LIMIT_KB);
-  for (const onDemand of [/tweakpane|src\/panel\//, /gltf-transform|src\/loaders\/gltf/, /meshoptimizer/, /draco/]) {
-    const isSo = (id: string) => onDemand.test(id);
-    expect([...atOnce].flatMap(({ moduleIds }) => moduleIds.filter(isSo))).toEqual([]);
-    expect(chunks.flatMap(({ moduleIds }) => moduleIds).some(isSo)).toBe(true);
+  for (const onDemand of [isPanelCode, isGltfCode, (id: string) => /meshoptimizer|draco/.test(id)]) {
+    expect([...atOnce].flatMap(({ moduleIds }) => moduleIds.filter(onDemand))).toEqual([]);
+    expect(chunks.flatMap(({ moduleIds }) => moduleIds).some(onDemand)).toBe(true);
   }
+});
+
+test(`the panel adds at most ${PANEL_LIMIT_KB} kB`, () => {
+  const panel = loadedWith(
+    chunks.filter(({ moduleIds }) => moduleIds.some(isPanelCode)),
+    chunks,
+  );
+  const added = [...panel].filter((chunk) => !atOnce.has(chunk));
+  expect(added).not.toEqual([]);
+  expect(kilobytes(added)).toBeLessThanOrEqual(PANEL_LIMIT_KB);
+});
+
+test(`the single file is one file, of at most ${SINGLE_FILE_LIMIT_KB} kB, that imports glTF only, on demand`, {
+  timeout: 60_000,
+}, async () => {
+  const files = await chunksOf({ mode: "single" });
+  console.log(`${kilobytes(files).toFixed(1).padStart(6)} kB gzip  rt-viewer.min.js`);
+  expect(files.map(({ fileName }) => fileName)).toEqual(["rt-viewer.min.js"]);
+  expect(files[0]!.imports).toEqual([]);
+  expect(files[0]!.dynamicImports).toEqual(["./rt-viewer.gltf.min.js"]);
+  expect(kilobytes(files)).toBeLessThanOrEqual(SINGLE_FILE_LIMIT_KB);
 });

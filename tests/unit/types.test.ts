@@ -54,11 +54,14 @@ describe("the tracer", () => {
   });
 
   test("has the methods of the design", () => {
-    expectTypeOf<api.PathTracer["setScene"]>().toEqualTypeOf<(scene: api.Scene) => Promise<void>>();
+    expectTypeOf<api.PathTracer["setScene"]>().toEqualTypeOf<
+      (scene: api.Scene, options?: api.SceneOptions) => Promise<void>
+    >();
     expectTypeOf<api.PathTracer["setCamera"]>().toEqualTypeOf<(camera: api.Camera) => void>();
     expectTypeOf<api.PathTracer["resize"]>().toEqualTypeOf<(width: number, height: number) => void>();
     expectTypeOf<api.PathTracer["update"]>().toEqualTypeOf<(settings: Partial<api.Settings>) => void>();
     expectTypeOf<api.PathTracer["sample"]>().toEqualTypeOf<(count: number) => Promise<void>>();
+    expectTypeOf<api.PathTracer["pick"]>().toEqualTypeOf<(x: number, y: number) => Promise<api.Picked | undefined>>();
     expectTypeOf<api.PathTracer["readRadiance"]>().returns.resolves.toExtend<Float32Array>();
     expectTypeOf<api.PathTracer["present"]>().toEqualTypeOf<(context: GPUCanvasContext, view?: api.View) => boolean>();
     expectTypeOf<api.PathTracer["dispose"]>().toEqualTypeOf<() => void>();
@@ -70,6 +73,7 @@ describe("the tracer", () => {
       | "frameMs"
       | "gpuMs"
       | "samples"
+      | "seconds"
       | "pathsPerSecond"
       | "raysPerSecond"
       | "error"

@@ -7,9 +7,17 @@ const NODE_WORDS = 8;
 const LEAF_FLAG = 0xffff;
 
 /** A tree of three-mesh-bvh in our form, so that both are measured by the same formulas. */
-export type ThreeTree = Pick<Bvh, "bounds" | "counts" | "axes" | "depth"> & { readonly bytes: number };
+export type ThreeTree = Pick<Bvh, "bounds" | "counts" | "axes" | "depth"> & {
+  /** Of its packed nodes; its triangles are sorted in place. */
+  readonly bytes: number;
+};
 
-/** Builds it over triangles. @param leafSize - `targetLeafSize`: nodes of as many or fewer are not split further. */
+/**
+ * Builds it over triangles, which it sorts.
+ *
+ * @param indices - three per triangle; changed.
+ * @param leafSize - its `targetLeafSize`: nodes of as many triangles or fewer are leaves.
+ */
 export function buildThreeMeshBvh(
   positions: Float32Array,
   indices: Uint32Array,
@@ -19,9 +27,10 @@ export function buildThreeMeshBvh(
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(positions, 3));
   geometry.setIndex(new BufferAttribute(indices, 1));
-  return new MeshBVH(geometry, { strategy, targetLeafSize: leafSize, setBoundingBox: false, indirect: true });
+  return new MeshBVH(geometry, { strategy, targetLeafSize: leafSize, setBoundingBox: false });
 }
 
+/** It stores a node as a second child's distance in nodes, or as a leaf's range. */
 export function readThreeMeshBvh(tree: MeshBVH): ThreeTree {
   const root = (tree as unknown as { _roots: ArrayBuffer[] })._roots[0]!;
   const floats = new Float32Array(root);
@@ -37,7 +46,6 @@ export function readThreeMeshBvh(tree: MeshBVH): ThreeTree {
     if (tag >>> 16 === LEAF_FLAG) {
       counts[node] = tag & 0xffff;
       axes[node] = 3;
-      if ((tag & 0xffff) > 255) throw new Error("leaf too large");
     } else {
       axes[node] = tag & 3;
       depths[node + 1] = depths[node]! + 1;

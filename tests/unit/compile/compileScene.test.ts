@@ -1,6 +1,5 @@
 import { describe, expect, test } from "vitest";
 import type { CompiledScene } from "../../../src/compile/compileScene";
-import { UnsupportedError } from "../../../src/errors";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import type { Scene, Vec3 } from "../../../src/scene/schema";
 import { compile, unpack } from "../../support/compiled";
@@ -158,13 +157,15 @@ test("a scene without objects has no array of length 0, which WGSL forbids", () 
   expect(unpack(compiled).bytes).toBe(compiled.uniform.byteLength);
 });
 
-test("a scene too large for a uniform is refused, with how much too large it is", () => {
+test("a scene too large for a uniform is in a storage buffer", () => {
   const balls = (count: number) => ({
     camera: { position: [0, 0, 9] as const },
     materials: { white: {} },
     objects: Array.from({ length: count }, (_, i) => sphere({ center: [i, 0, 0], radius: 0.5, material: "white" })),
   });
-  expect(compile(balls(600)).uniform.byteLength).toBeLessThanOrEqual(65536);
-  expect(() => compile(balls(700))).toThrow(UnsupportedError);
-  expect(() => compile(balls(700))).toThrow(/700 objects need \d+ bytes.*65536/);
+  const [small, large] = [compile(balls(600)), compile(balls(700))];
+  expect(small.uniform.byteLength).toBeLessThanOrEqual(65536);
+  expect([small.isStored, large.isStored]).toEqual([false, true]);
+  expect(small.sceneModule).toContain("var<uniform> scene");
+  expect(large.sceneModule).toContain("var<storage, read> scene");
 });

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { primitivesOf, type Shape } from "../../../src/compile/primitives";
+import { partOf, primitivesOf, type Shape } from "../../../src/compile/primitives";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { SceneObject, Vec3 } from "../../../src/scene/schema";
@@ -34,6 +34,19 @@ test("objects come first, then sphere lights; point lights are no primitives", (
   const primitives = primitivesOf(parseScene(sceneOf(objects, lights)), [0, 0, 0]);
   expect(primitives.map(({ shape }) => shape.kind)).toEqual(["plane", "sphere", "sphere"]);
   expect(primitives.map((primitive) => primitive.material === "black")).toEqual([false, false, true]);
+});
+
+test("each primitive's part of the scene is found by its id", () => {
+  const sphereAt = (y: number) => sphereLight({ position: [0, y, 0], radius: 1, power: [1, 1, 1] });
+  const lights = [pointLight({ position: [0, 8, 0], power: [1, 1, 1] }), sphereAt(9), sphereAt(12)];
+  const objects = [sphere({ center: [0, 1, 0], radius: 1, material })];
+  const scene = parseScene(sceneOf(objects, lights));
+  const parts = primitivesOf(scene, [0, 0, 0]).map((_, id) => partOf(scene, id));
+  expect(parts).toEqual([
+    { kind: "object", index: 0 },
+    { kind: "light", index: 1 },
+    { kind: "light", index: 2 },
+  ]);
 });
 
 test("positions are relative to the origin, in doubles", () => {

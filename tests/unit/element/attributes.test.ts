@@ -1,7 +1,9 @@
 import { expect, it } from "vitest";
 import {
   EXPOSURE_RULE,
+  LOADING_MODES,
   OBSERVED_ATTRIBUTES,
+  parseKeyword,
   parseNumber,
   SETTING_ATTRIBUTES,
   settingOfAttribute,
@@ -30,6 +32,17 @@ it("max-samples may be infinite", () => {
 it("exposure is any number of stops that keeps its power of two finite", () => {
   expect(parseNumber("-1.5", EXPOSURE_RULE)).toBe(-1.5);
   expect(parseNumber("1000", EXPOSURE_RULE)).toBeUndefined();
+});
+
+it.each([
+  ["lazy", "lazy"],
+  [" LAZY ", "lazy"],
+  ["eager", "eager"],
+  ["", "eager"],
+  ["later", "eager"],
+  [null, "eager"],
+])("loading=%j counts as %j", (text, wanted) => {
+  expect(parseKeyword(text, LOADING_MODES, "eager")).toBe(wanted);
 });
 
 it("every setting attribute is observed and leads back to its setting", () => {

@@ -1,4 +1,4 @@
-import { describe, expect, it } from "vitest";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { describeError, missingWebGpu } from "../../../src/element/describeError";
 import { RtViewerError, SceneError, UnsupportedError, WebGpuError } from "../../../src/errors";
 
@@ -24,6 +24,21 @@ describe("describeError", () => {
     const { title, lines } = describeError(error);
     expect(title).not.toBe("");
     expect(lines).toEqual([error.message]);
+  });
+});
+
+describe("a device out of memory", () => {
+  class GPUOutOfMemoryError {}
+  beforeEach(() => vi.stubGlobal("GPUOutOfMemoryError", GPUOutOfMemoryError));
+  afterEach(() => vi.unstubAllGlobals());
+
+  it("is told from other failures, with what may help", () => {
+    const error = new WebGpuError("not enough memory left", { cause: new GPUOutOfMemoryError() });
+    const { title, lines } = describeError(error);
+    expect(title).toMatch(/out of memory/);
+    expect(lines).toHaveLength(2);
+    expect(lines).toContain("not enough memory left");
+    expect(describeError(new WebGpuError("not valid", { cause: new Error() })).title).not.toMatch(/memory/);
   });
 });
 

@@ -115,6 +115,24 @@ it("goes on after a failure", async () => {
   ).resolves.toBe(true);
 });
 
+it("it is running until its end, its failure or its cancellation", async () => {
+  const task = new LatestTask();
+  const gate = deferred<string>();
+  const done = async () => undefined;
+  expect(task.isRunning).toBe(false);
+  const first = task.run(() => gate.promise, done);
+  const second = task.run(() => gate.promise, done);
+  expect(task.isRunning).toBe(true);
+  gate.resolve("a");
+  await Promise.all([first, second]);
+  expect(task.isRunning).toBe(false);
+  await expect(task.run(() => Promise.reject(new Error("404")), done)).rejects.toThrow();
+  expect(task.isRunning).toBe(false);
+  void task.run(() => deferred<string>().promise, done);
+  task.cancel();
+  expect(task.isRunning).toBe(false);
+});
+
 it("cancel leaves out what is not committed yet", async () => {
   const task = new LatestTask();
   const done: string[] = [];

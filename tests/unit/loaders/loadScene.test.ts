@@ -42,7 +42,7 @@ describe("a file is told by what is in it", () => {
   test("a megabyte of comments is looked at quickly", async () => {
     const start = performance.now();
     await expect(loadScene(text("#\r\n".repeat(350_000)))).rejects.toThrow("is not JSON");
-    expect(performance.now() - start).toBeLessThan(1000);
+    expect(performance.now() - start).toBeLessThan(4000); // exponential in the lines, if a pattern backtracked
   });
 });
 

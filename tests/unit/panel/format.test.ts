@@ -1,5 +1,12 @@
 import { expect, it } from "vitest";
-import { formatCount, formatFps, formatMilliseconds, formatPercent, formatRate } from "../../../src/panel/format";
+import {
+  formatCount,
+  formatFps,
+  formatMilliseconds,
+  formatPercent,
+  formatRate,
+  formatSeconds,
+} from "../../../src/panel/format";
 
 it.each([
   [0, "0"],
@@ -34,4 +41,17 @@ it("shows rates with their unit", () => {
   expect(formatRate(12)).toBe("12 /s");
   expect(formatFps(59.94)).toBe("59.9");
   expect(formatMilliseconds(16.67)).toBe("16.7 ms");
+});
+
+it.each([
+  [0, "0 s"],
+  [0.1234, "0.12 s"],
+  [12.3, "12 s"],
+  [119, "120 s"],
+  [121, "2 min"],
+  [7100, "118 min"],
+  [86_400, "24 h"],
+  [Number.POSITIVE_INFINITY, "–"],
+])("shows %d seconds as %s", (seconds, text) => {
+  expect(formatSeconds(seconds)).toBe(text);
 });

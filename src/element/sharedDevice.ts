@@ -1,0 +1,83 @@
+import { requestDevice } from "../gpu/device";
+
+// After the browser's GPU process has crashed there is no adapter until it is up again. Milliseconds between attempts.
+const RETRY_PAUSES_MS = [100, 300, 900, 2700];
+// Work on a lost device fails up to this many milliseconds before the device says that it is lost.
+const LOSS_NOTICE_MS = 100;
+
+type Shared = { readonly opening: Promise<GPUDevice>; userCount: number };
+
+/** The right to use a device, until it is released. */
+export type DeviceLease = {
+  readonly device: GPUDevice;
+  /** Idempotent. With the last lease the device is destroyed. */
+  readonly release: () => void;
+};
+
+let shared: Shared | undefined;
+let hasLostOne = false;
+
+/**
+ * Gives the one device that all viewers of a page share; after it has been lost, the next one.
+ *
+ * @throws {WebGpuError} if there is none.
+ */
+export async function leaseDevice(): Promise<DeviceLease> {
+  shared ??= open();
+  const mine = shared;
+  mine.userCount += 1;
+  let isReleased = false;
+  const release = () => {
+    if (isReleased) return;
+    isReleased = true;
+    mine.userCount -= 1;
+    if (mine.userCount > 0) return;
+    if (shared === mine) shared = undefined;
+    mine.opening.then(
+      (device) => device.destroy(),
+      () => undefined, // whoever waited for it was told
+    );
+  };
+  try {
+    return { device: await mine.opening, release };
+  } catch (error) {
+    release();
+    throw error;
+  }
+}
+
+/** Whether a failure on this device is due to its loss, which the device may tell a moment later. */
+export function isLost(device: GPUDevice): Promise<boolean> {
+  return Promise.race([device.lost.then(() => true), sleep(LOSS_NOTICE_MS).then(() => false)]);
+}
+
+function open(): Shared {
+  const opening = hasLostOne ? requestPatiently() : requestDevice();
+  const opened = { opening, userCount: 0 };
+  const forget = () => {
+    if (shared === opened) shared = undefined;
+  };
+  opening
+    .then(async ({ lost }) => {
+      await lost;
+      hasLostOne ||= shared === opened;
+      forget();
+    })
+    .catch(forget);
+  return opened;
+}
+
+async function requestPatiently(): Promise<GPUDevice> {
+  for (const pauseMs of RETRY_PAUSES_MS) {
+    try {
+      return await requestDevice();
+    } catch {
+      await sleep(pauseMs);
+    }
+  }
+  return requestDevice();
+}
+
+function sleep(ms: number): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, ms));
+}

@@ -1,0 +1,61 @@
+import type { Page } from "@playwright/test";
+import { contrast, pictureOf } from "./support/picture";
+import { expect, test } from "./support/test";
+import { FIXTURE_URL } from "./support/urls";
+import { addViewer, waitForSamples } from "./support/viewer";
+
+// The least that a page can allow: its own scripts, scenes and images. No eval, nothing inline, no style sheet.
+const POLICY =
+  "default-src 'none'; script-src 'self'; connect-src 'self'; img-src 'self' data:; require-trusted-types-for 'script'";
+
+async function openStrictFixture(page: Page): Promise<void> {
+  await page.route(FIXTURE_URL, async (route) => {
+    const response = await route.fetch();
+    const body = (await response.text()).replace(/<style>.*?<\/style>/s, "");
+    await route.fulfill({ response, body, headers: { ...response.headers(), "content-security-policy": POLICY } });
+  });
+  await page.addInitScript(() => {
+    const violations: string[] = [];
+    Object.assign(globalThis, { violations });
+    document.addEventListener("securitypolicyviolation", ({ violatedDirective, sourceFile, sample }) => {
+      violations.push(`${violatedDirective} ${sourceFile} ${sample}`);
+    });
+  });
+  await page.goto(FIXTURE_URL);
+  await page.evaluate(() => customElements.whenDefined("rt-viewer"));
+}
+
+const violationsOf = (page: Page) =>
+  page.evaluate(() => (globalThis as unknown as { violations: string[] }).violations);
+
+test("a strict content security policy is in force, and the element works under it", async ({
+  page,
+  expectedErrors,
+}) => {
+  await openStrictFixture(page);
+  const viewer = await addViewer(page, { src: "spheres.json", controls: "", alt: "Three balls" });
+  await waitForSamples(viewer, 4);
+  expect(contrast(await pictureOf(viewer))).toBeGreaterThan(20);
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("ArrowRight");
+  expect(await violationsOf(page)).toEqual([]);
+
+  expectedErrors.push(/Content Security Policy/);
+  const isRefused = await page.evaluate(async () => {
+    const style = document.createElement("style");
+    style.textContent = "body { color: red }";
+    document.head.append(style);
+    return style.sheet === null;
+  });
+  expect(isRefused).toBe(true);
+});
+
+test("the panel keeps to a strict content security policy too, and is styled", async ({ page }) => {
+  await openStrictFixture(page);
+  const viewer = await addViewer(page, { src: "spheres.json", stats: "" });
+  await waitForSamples(viewer, 2);
+  const title = viewer.getByRole("button").first();
+  await expect(title).toHaveCSS("display", "block");
+  await expect(viewer.locator(".tp-rotv")).toHaveCSS("border-radius", "8px");
+  expect(await violationsOf(page)).toEqual([]);
+});
