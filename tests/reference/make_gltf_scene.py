@@ -1,4 +1,4 @@
-"""Writes scenes/mirrored.glb: a glTF file whose nodes turn, stretch and mirror two meshes, lit by a point light and a lamp.
+"""Writes mirrored.glb: a glTF file whose nodes turn, stretch and mirror two meshes, lit by a point light and a lamp.
 
 Usage: python make_gltf_scene.py
 Everything is Lambert (KHR_materials_ior 1) and faceted: what renderers agree on to the last digit. The lamp is one of the
@@ -10,7 +10,7 @@ import struct
 
 import numpy as np
 
-FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'scenes', 'mirrored.glb')
+FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'mirrored.glb')
 
 FLOOR = [(-3, 0, -3), (-3, 0, 3), (3, 0, 3), (3, 0, -3)], [0, 1, 2, 0, 2, 3]
 # A tetrahedron with a skewed top: no mirror image of it is itself.

@@ -92,7 +92,7 @@ def write(name, scene):
     lines = [f' "{key}": ' + ('[\n  ' + ',\n  '.join(map(compact, value)) + '\n ]' if isinstance(value, list) else compact(value))
              for key, value in scene.items()]
     with open(os.path.join(FOLDER, name), 'w') as file:
-        file.write('{\n' + ',\n'.join(lines) + '\n}\n')
+        file.write('{\n "$schema": "../../../dist/scene.schema.json",\n' + ',\n'.join(lines) + '\n}\n')
 
 
 def main():

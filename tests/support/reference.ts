@@ -19,7 +19,9 @@ export type Reference = {
   readonly bias: Float64Array;
 };
 
-export const REFERENCE_NAMES = ["cornell", "spheres", "bleed", "veach", "furnace", "knot", "glow"] as const;
+/** Of spheres, boxes and the like. */
+export const ANALYTIC_NAMES = ["cornell", "spheres", "bleed", "veach", "furnace"] as const;
+export const REFERENCE_NAMES = [...ANALYTIC_NAMES, "knot", "glow"] as const;
 
 type Meta = { readonly width: number; readonly height: number; readonly spp: number };
 
@@ -43,7 +45,7 @@ export function loadReference(name: (typeof REFERENCE_NAMES)[number]): Reference
 
 /** Of `mirrored`, which is a glTF file: rendered by Cycles as Blender imports it, and loaded as we do. */
 export async function loadGltfReference(): Promise<Reference> {
-  const { scene } = await loadGltf(readFileSync(new URL("scenes/mirrored.glb", FOLDER)));
+  const { scene } = await loadGltf(readFileSync(new URL("mirrored.glb", FOLDER)));
   return { scene, ...loadImage("mirrored") };
 }
 
