@@ -1,16 +1,16 @@
 import { join } from "node:path";
 import { parseArgs } from "node:util";
 import { RtViewerError } from "../../src/errors";
-import { REFERENCE_NAMES } from "../support/reference";
+import { ANALYTIC_NAMES } from "../support/reference";
 import { VARIANTS } from "./measurement";
 
-export type SceneName = (typeof REFERENCE_NAMES)[number];
+export type SceneName = (typeof ANALYTIC_NAMES)[number];
 
 export const RENDERER_IDS = [...VARIANTS, "three-gpu-pathtracer", "mitsuba", "cycles"] as const;
 export type RendererId = (typeof RENDERER_IDS)[number];
 
 export const USAGE = `Usage: npm run bench -- [options]
-  --scenes A,B       of ${REFERENCE_NAMES.join(", ")}; default all
+  --scenes A,B       of ${ANALYTIC_NAMES.join(", ")}; default all
   --renderers A,B    of ${RENDERER_IDS.join(", ")}; default all
   --host NAME        where rt-viewer runs: chromium, dawn or both (default)
   --size N           pixels, N × N, default 256
@@ -51,7 +51,7 @@ export function parseOptions(args: readonly string[]): Options {
   // What is not the whole benchmark does not replace its report.
   const isPart = isQuick || [scenes, renderers, host, size, samples, runs].some((value) => value !== undefined);
   return {
-    scenes: listOf("--scenes", scenes, REFERENCE_NAMES, isQuick ? ["cornell", "spheres"] : REFERENCE_NAMES),
+    scenes: listOf("--scenes", scenes, ANALYTIC_NAMES, isQuick ? ["cornell", "spheres"] : ANALYTIC_NAMES),
     renderers: listOf("--renderers", renderers, RENDERER_IDS, isQuick ? VARIANTS : RENDERER_IDS),
     hosts: hostsOf(host ?? "both"),
     size: integer("--size", size, 2, isQuick ? 64 : 256),

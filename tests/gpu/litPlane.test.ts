@@ -74,6 +74,14 @@ describe.each(Object.keys(FLAT_LIGHTS))("a plane lit by a flat light, %s,", (nam
     await expectIrradiance({ objects: [triangle] }, expected, estimator, 2);
   });
 
+  test.each(ESTIMATORS)(
+    "shows the irradiance of a mesh of uneven triangles, %s estimator, seed 10",
+    async (estimator) => {
+      const expected = polygonIrradiance([0, 0, 0], [corner, b, add(b, edge2), d]);
+      await expectIrradiance({ objects: [unevenMesh(corner, edge1, edge2)] }, expected, estimator, 10);
+    },
+  );
+
   test("stays dark behind it, seed 3", async () => {
     const quad: SceneObject = { type: "quad", corner, edge1: edge2, edge2: edge1, material: "lamp" };
     await expectIrradiance({ objects: [quad] }, 0, "path", 3);
@@ -152,6 +160,19 @@ test.each([0.01, 0.03, 0.1, 0.3, 1, 3])(
     await expectIrradiance({ lights: [light] }, (100 * 0.8) / (4 * Math.PI * 100), "path", 9);
   },
 );
+
+/** A quad as a mesh: two rows of three, each cut in two, of which the largest has forty times the area of the smallest. */
+function unevenMesh(corner: Vec3, edge1: Vec3, edge2: Vec3): SceneObject {
+  const [columns, rows] = [
+    [0, 0.05, 0.4, 1],
+    [0, 0.3, 1],
+  ] as const;
+  const positions = rows.flatMap((v) =>
+    columns.flatMap((u) => [0, 1, 2].map((axis) => corner[axis]! + u * edge1[axis]! + v * edge2[axis]!)),
+  );
+  const indices = [0, 1, 2, 4, 5, 6].flatMap((a) => [a, a + 1, a + 4, a + 1, a + 5, a + 4]);
+  return { type: "mesh", positions, indices, material: "lamp" };
+}
 
 function boxFaces(center: Vec3, size: Vec3, rotationY: number): Vec3[][] {
   const angle = (rotationY * Math.PI) / 180;

@@ -46,7 +46,7 @@ describe.each(CASES)("$name with the $estimator estimator and $sampler points, s
     expect(verdict.pixelShare).toBeGreaterThanOrEqual(0.9975);
     expect(verdict.blockShare).toBe(1);
     for (const sigmas of verdict.meanSigmas) expect(Math.abs(sigmas)).toBeLessThan(4);
-  });
+  }, 120_000); // the slowest has 8,000 triangles
 
   test("drops no sample", async () => {
     for (const { stats } of await rendered()) expect(stats.badSamples).toBe(0);

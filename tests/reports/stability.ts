@@ -7,8 +7,8 @@ const REPORT = new URL("stability.md", import.meta.url);
 
 /** Sections of the report, by the name of the rows' file. */
 const SECTIONS: readonly (readonly [title: string, ...files: string[]])[] = [
-  ["Meeting surfaces", "edges", "planes", "spheres"],
-  ["Leaving surfaces", "spawn", "rooms"],
+  ["Meeting surfaces", "edges", "mesh-leaks", "planes", "spheres"],
+  ["Leaving surfaces", "spawn", "mesh-spawn", "rooms"],
   ["Images", "invariance", "floor"],
   ["Lights", "sphere-lights", "light-sampling"],
   ["The film", "film"],

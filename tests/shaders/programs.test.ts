@@ -1,6 +1,7 @@
 import { afterAll, describe, expect, test } from "vitest";
 import { compileScene } from "../../src/compile/compileScene";
 import type { ProgramSettings } from "../../src/compile/features";
+import { prepareGeometry } from "../../src/compile/geometry";
 import { linkModule, linkProgram } from "../../src/compile/linkProgram";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Light, Material, Scene, SceneObject } from "../../src/scene/schema";
@@ -161,9 +162,10 @@ const good = new Set<string>();
 
 async function expectGood(scene: Scene, settings: ProgramSettings): Promise<void> {
   const resolved = parseScene(scene);
+  const geometry = await prepareGeometry(resolved);
   for (const camera of [undefined, resolved.camera]) {
     // Values in the uniform, then as constants.
-    const { sceneModule, features } = compileScene(resolved, settings, camera);
+    const { sceneModule, features } = compileScene(resolved, settings, camera, geometry);
     const key = JSON.stringify(features) + sceneModule;
     if (good.has(key)) continue;
     const wgsl = await linkProgram(sceneModule, features);

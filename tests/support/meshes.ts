@@ -47,6 +47,56 @@ export function smoothSphere(triangles: number): MeshData {
   return { ...sphere, normals: sphere.positions };
 }
 
+/** A convex solid of 20·4^splits triangles, no two of them in a plane, with its vertices on the unit sphere. */
+export function icosphere(splits: number): MeshData {
+  const g = (1 + Math.sqrt(5)) / 2;
+  const onSphere = (v: readonly number[]) => v.map((x) => x / Math.hypot(...v));
+  const rectangle = [-1, 1].flatMap((a) => [-g, g].map((b): [number, number] => [a, b]));
+  const vertices = [0, 1, 2].flatMap((axis) =>
+    rectangle.map(([a, b]) => onSphere([0, 1, 2].map((i) => [0, a, b][(i + axis) % 3]!))),
+  );
+  const distance = (i: number, j: number) => Math.hypot(...vertices[i]!.map((x, axis) => x - vertices[j]![axis]!));
+  const edge = 2 / Math.hypot(1, g);
+  const areNear = (i: number, j: number) => Math.abs(distance(i, j) - edge) < 1e-9;
+  let faces: [number, number, number][] = [];
+  for (let a = 0; a < 12; a++)
+    for (let b = a + 1; b < 12; b++)
+      for (let c = b + 1; c < 12; c++)
+        if (areNear(a, b) && areNear(b, c) && areNear(c, a)) faces.push(isOutward(a, b, c) ? [a, b, c] : [a, c, b]);
+
+  function isOutward(a: number, b: number, c: number): boolean {
+    const [p, q, r] = [vertices[a]!, vertices[b]!, vertices[c]!] as [number[], number[], number[]];
+    const at = (v: number[], i: number) => v[i % 3]!;
+    return p.reduce((sum, x, i) => sum + x * (at(q, i + 1) * at(r, i + 2) - at(q, i + 2) * at(r, i + 1)), 0) > 0;
+  }
+
+  for (let split = 0; split < splits; split++) {
+    const middles = new Map<string, number>();
+    const middle = (a: number, b: number) => {
+      const key = `${Math.min(a, b)} ${Math.max(a, b)}`;
+      const known = middles.get(key);
+      if (known !== undefined) return known;
+      middles.set(key, vertices.push(onSphere(vertices[a]!.map((x, axis) => x + vertices[b]![axis]!))) - 1);
+      return vertices.length - 1;
+    };
+    faces = faces.flatMap(([a, b, c]) => {
+      const [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+      return [
+        [a, ab, ca],
+        [ab, b, bc],
+        [ca, bc, c],
+        [ab, bc, ca],
+      ];
+    });
+  }
+  return { positions: vertices.flat(), indices: faces.flat() };
+}
+
+/** The same mesh with its front inside. */
+export function insideOut({ indices, ...rest }: MeshData): MeshData {
+  return { ...rest, indices: indices.toReversed() };
+}
+
 /** The twelve triangles of a cube of half size 1; its front is outside, or inside. */
 export function cube(front: "outside" | "inside" = "outside"): MeshData {
   const positions = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [i & 1, (i >> 1) & 1, i >> 2].map((bit) => 2 * bit - 1));
@@ -58,8 +108,8 @@ export function cube(front: "outside" | "inside" = "outside"): MeshData {
     [0, 4, 6, 2],
     [1, 3, 7, 5],
   ] as const;
-  const indices = faces.flatMap(([a, b, c, d]) => [a, b, c, a, c, d]);
-  return { positions, indices: front === "outside" ? indices : indices.reverse() };
+  const outside = { positions, indices: faces.flatMap(([a, b, c, d]) => [a, b, c, a, c, d]) };
+  return front === "outside" ? outside : insideOut(outside);
 }
 
 /** The same mesh elsewhere and of another size. */

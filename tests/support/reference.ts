@@ -1,9 +1,10 @@
 import { readFileSync } from "node:fs";
+import { loadGltf } from "../../src/loaders/gltf";
 import type { Scene } from "../../src/scene/schema";
 
 const FOLDER = new URL("../reference/", import.meta.url);
 
-/** A converged image of a reference scene, made by Mitsuba. */
+/** A converged image of a reference scene, made by Mitsuba or Cycles. */
 export type Reference = {
   readonly scene: Scene;
   readonly width: number;
@@ -18,7 +19,9 @@ export type Reference = {
   readonly bias: Float64Array;
 };
 
-export const REFERENCE_NAMES = ["cornell", "spheres", "bleed", "veach", "furnace"] as const;
+/** Of spheres, boxes and the like. */
+export const ANALYTIC_NAMES = ["cornell", "spheres", "bleed", "veach", "furnace"] as const;
+export const REFERENCE_NAMES = [...ANALYTIC_NAMES, "knot", "glow"] as const;
 
 type Meta = { readonly width: number; readonly height: number; readonly spp: number };
 
@@ -37,9 +40,18 @@ const KNOWN_BIAS: { readonly [name: string]: (x: number, y: number) => number } 
 };
 
 export function loadReference(name: (typeof REFERENCE_NAMES)[number]): Reference {
+  return { scene: JSON.parse(readText(`scenes/${name}.json`)) as Scene, ...loadImage(name) };
+}
+
+/** Of `mirrored`, which is a glTF file: rendered by Cycles as Blender imports it, and loaded as we do. */
+export async function loadGltfReference(): Promise<Reference> {
+  const { scene } = await loadGltf(readFileSync(new URL("mirrored.glb", FOLDER)));
+  return { scene, ...loadImage("mirrored") };
+}
+
+function loadImage(name: string): Omit<Reference, "scene"> {
   const { width, height, spp } = JSON.parse(readText(`${name}.meta.json`)) as Meta;
   return {
-    scene: JSON.parse(readText(`scenes/${name}.json`)) as Scene,
     width,
     height,
     image: readFloats(`${name}.f32`),

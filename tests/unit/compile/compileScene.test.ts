@@ -1,6 +1,8 @@
 import { describe, expect, test } from "vitest";
-import type { CompiledScene } from "../../../src/compile/compileScene";
+import { type CompiledScene, compileScene } from "../../../src/compile/compileScene";
+import { prepareGeometry } from "../../../src/compile/geometry";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
+import { parseScene } from "../../../src/scene/parseScene";
 import type { Scene, Vec3 } from "../../../src/scene/schema";
 import { compile, unpack } from "../../support/compiled";
 import { loadReference, REFERENCE_NAMES } from "../../support/reference";
@@ -139,8 +141,10 @@ test("the uniform is as long as the struct that the shader declares", () => {
   expect(unpack(compiled)).toMatchObject({ materials: { length: 9 }, shapes: { length: 9 }, lights: { length: 9 } });
 });
 
-test.each(REFERENCE_NAMES)("the uniform of %s is as long as its struct", (name) => {
-  const compiled = compile(loadReference(name).scene);
+test.each(REFERENCE_NAMES)("the uniform of %s is as long as its struct", async (name) => {
+  const scene = parseScene(loadReference(name).scene);
+  const settings = { estimator: "path", sampler: "sobol", lightSamples: 1 } as const;
+  const compiled = compileScene(scene, settings, undefined, await prepareGeometry(scene));
   expect(unpack(compiled).bytes).toBe(compiled.uniform.byteLength);
 });
 
