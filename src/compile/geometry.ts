@@ -6,9 +6,11 @@ import { triangleBounds } from "../bvh/triangleBounds";
 import type { ResolvedObject, ResolvedScene, Vec3 } from "../scene/schema";
 import { packItems } from "./packItems";
 import { type MeshLamp, packLamps } from "./packLamps";
-import { haveSameTexels, packTexels, type Textures } from "./packTextures";
+import { haveSameTexels, packTexels } from "./packTexels";
+import type { Textures } from "./packTextures";
 import { packTree } from "./packTree";
-import { boundsOfShape, type TreeShape, treeShapesOf } from "./treeShapes";
+import { boundsOfShape } from "./treeItems";
+import { type TreeShape, treeShapesOf } from "./treeShapes";
 import { length, subtract } from "./vec3";
 
 // Triangles in a leaf of the tree, at most. The shader was as quick with 4 for 1,000 triangles, and 10 % slower for 100,000.

@@ -1,6 +1,7 @@
 import type { MeshPart } from "./geometry";
 import { NO_NORMAL, packDirections } from "./octahedral";
-import { ITEM_KINDS, itemOf, type TreeShape } from "./treeShapes";
+import { ITEM_KINDS, itemOf } from "./treeItems";
+import type { TreeShape } from "./treeShapes";
 
 const ITEM_WORDS = 12;
 

@@ -1,4 +1,4 @@
-import type { ResolvedMaterial, ResolvedScene, ResolvedTexture } from "../scene/schema";
+import type { ResolvedMaterial, ResolvedScene } from "../scene/schema";
 import type { StructValue } from "./defineStruct";
 import type { FACTORS, TEXTURE } from "./layouts";
 import type { Primitive } from "./primitives";
@@ -25,19 +25,6 @@ export function textureRows(textures: Textures): StructValue<typeof TEXTURE.fiel
   });
 }
 
-/** All texels one after the other; undefined if there are none. */
-export function packTexels(textures: Textures): ArrayBuffer | undefined {
-  const all = Object.values(textures);
-  if (all.length === 0) return undefined;
-  const bytes = new Uint8Array(all.reduce((sum, { texels }) => sum + texels.length, 0));
-  let at = 0;
-  for (const { texels } of all) {
-    bytes.set(texels, at);
-    at += texels.length;
-  }
-  return bytes.buffer;
-}
-
 /** What textures multiply, by primitive. */
 export function factorRows(primitives: readonly Primitive[], textures: Textures): StructValue<typeof FACTORS.fields>[] {
   const numbers = new Map(Object.keys(textures).map((name, number) => [name, number]));
@@ -61,18 +48,6 @@ const BLACK: Pick<
   ResolvedMaterial,
   "baseColor" | "metallic" | "roughness" | "normalScale" | (`${string}Texture` & keyof ResolvedMaterial)
 > = { baseColor: [0, 0, 0], metallic: 0, roughness: 1, normalScale: 1 };
-
-/** Whether two dictionaries hold the same pictures. */
-export function haveSameTexels(a: Textures, b: Textures): boolean {
-  const [names, others] = [Object.keys(a), Object.keys(b)];
-  return (
-    names.length === others.length && names.every((name, i) => name === others[i] && isSamePicture(a[name]!, b[name]!))
-  );
-}
-
-function isSamePicture(a: ResolvedTexture, b: ResolvedTexture): boolean {
-  return a.texels.length === b.texels.length && a.texels.every((value, i) => value === b.texels[i]);
-}
 
 export function hasTextures(textures: Textures): boolean {
   return Object.keys(textures).length > 0;

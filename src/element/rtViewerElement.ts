@@ -36,6 +36,7 @@ const DISPOSAL_GRACE_MS = 10;
  * @csspart poster - The image of the attribute `poster`.
  * @csspart progress - The bar that shows how far a scene is that takes long.
  * @csspart panel - The corner with figures and knobs.
+ * @csspart drop - The frame while files are dragged over the element, with `drop`.
  * @csspart message - What is said in place of a picture that cannot be shown.
  * @cssprop --rt-viewer-background - Behind messages, and where there is no picture yet.
  * @cssprop --rt-viewer-color - Text of messages.

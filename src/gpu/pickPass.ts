@@ -1,8 +1,9 @@
 import type { CompiledScene } from "../compile/compileScene";
 import { FRAME } from "../compile/layouts";
 import { BufferUsage, MapMode, ShaderStage } from "./flags";
+import { geometryLayout } from "./geometryLayout";
 import { createComputePipeline } from "./pipelines";
-import { geometryLayout, type SceneGeometry } from "./sceneGeometry";
+import type { SceneGeometry } from "./sceneGeometry";
 import type { FrameUniforms } from "./tracePass";
 
 const NONE = 0xffffffff;
@@ -41,7 +42,7 @@ export async function runPick(
   device: GPUDevice,
   { pipeline, geometry: layout }: PickPipeline,
   scene: ArrayBuffer,
-  geometry: SceneGeometry,
+  geometry: SceneGeometry | undefined,
   frame: FrameUniforms,
 ): Promise<Found | undefined> {
   const { UNIFORM, STORAGE, COPY_DST, COPY_SRC, MAP_READ } = BufferUsage;
@@ -63,7 +64,7 @@ export async function runPick(
     layout: pipeline.getBindGroupLayout(0),
     entries: [
       ...[frameBuffer, sceneBuffer, found].map((buffer, binding) => ({ binding, resource: { buffer } })),
-      ...geometry.entries(layout),
+      ...(geometry?.entries(layout) ?? []),
     ],
   });
   pass.setBindGroup(0, bindGroup);

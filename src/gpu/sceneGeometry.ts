@@ -1,48 +1,20 @@
-import type { Features } from "../compile/features";
-import type { Geometry, GeometryData } from "../compile/geometry";
+import type { Geometry } from "../compile/geometry";
 import { UnsupportedError } from "../errors";
-import { BufferUsage, ShaderStage, TextureUsage } from "./flags";
-
-type Part = keyof GeometryData;
-
-/** Bindings of the trace pass's group that hold geometry, as `wgsl/tree.wgsl`, `mesh.wgsl` and `lights.wgsl` declare them. */
-const BINDINGS: Readonly<Record<Part, { readonly binding: number; readonly isTexture?: boolean }>> = {
-  nodes: { binding: 5, isTexture: true },
-  items: { binding: 6, isTexture: true },
-  normals: { binding: 7 },
-  shiningTriangles: { binding: 8 },
-  uvs: { binding: 9 },
-  texels: { binding: 10 },
-};
-
-/** What a program with these features reads. */
-export function geometryLayout({ TREE, SMOOTH, MESH_LIGHTS, TEXTURES }: Features): GPUBindGroupLayoutEntry[] {
-  const parts: readonly Part[] = [
-    ...(TREE ? (["nodes", "items"] as const) : []),
-    ...(SMOOTH ? (["normals"] as const) : []),
-    ...(MESH_LIGHTS ? (["shiningTriangles"] as const) : []),
-    ...(TEXTURES ? (["uvs", "texels"] as const) : []),
-  ];
-  return parts.map((part) => {
-    const { binding, isTexture } = BINDINGS[part];
-    const visibility = ShaderStage.COMPUTE;
-    if (isTexture) return { binding, visibility, texture: { sampleType: "uint" } };
-    return { binding, visibility, buffer: { type: "read-only-storage" } };
-  });
-}
+import { BufferUsage, TextureUsage } from "./flags";
+import { GEOMETRY_BINDINGS, type GeometryPart } from "./geometryLayout";
 
 /** A scene's geometry on the GPU. */
 export class SceneGeometry {
-  readonly source: Geometry | undefined;
+  readonly source: Geometry;
   readonly #resources: ReadonlyMap<number, GPUBuffer | GPUTexture>;
 
   /** @throws {UnsupportedError} if the device has no room for so much in one piece. */
-  constructor(device: GPUDevice, geometry: Geometry | undefined) {
+  constructor(device: GPUDevice, geometry: Geometry) {
     this.source = geometry;
-    const data = Object.entries(geometry?.data ?? {}) as [Part, ArrayBuffer | undefined][];
+    const data = Object.entries(geometry.data) as [GeometryPart, ArrayBuffer | undefined][];
     this.#resources = new Map(
       data.flatMap(([part, bytes]) => {
-        const { binding, isTexture } = BINDINGS[part];
+        const { binding, isTexture } = GEOMETRY_BINDINGS[part];
         if (bytes === undefined) return [];
         return [[binding, isTexture ? createTexels(device, part, bytes) : createBuffer(device, part, bytes)]];
       }),

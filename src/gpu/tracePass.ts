@@ -3,8 +3,9 @@ import type { StructValue } from "../compile/defineStruct";
 import { FRAME } from "../compile/layouts";
 import type { Film } from "./film";
 import { BufferUsage, ShaderStage } from "./flags";
+import { geometryLayout } from "./geometryLayout";
 import { createComputePipeline } from "./pipelines";
-import { geometryLayout, type SceneGeometry } from "./sceneGeometry";
+import type { SceneGeometry } from "./sceneGeometry";
 
 /** One dispatch's camera, tile, samples and settings. */
 export type FrameUniforms = StructValue<typeof FRAME.fields>;
@@ -56,7 +57,13 @@ export class TracePass {
   readonly #bindGroup: GPUBindGroup;
   readonly #frameBytes = new DataView(new ArrayBuffer(FRAME.bytes));
 
-  constructor(device: GPUDevice, pipelines: TracePipelines, scene: ArrayBuffer, geometry: SceneGeometry, film: Film) {
+  constructor(
+    device: GPUDevice,
+    pipelines: TracePipelines,
+    scene: ArrayBuffer,
+    geometry: SceneGeometry | undefined,
+    film: Film,
+  ) {
     this.#device = device;
     this.#pipelines = pipelines;
     const usage = BufferUsage.UNIFORM | BufferUsage.COPY_DST;
@@ -71,7 +78,7 @@ export class TracePass {
           binding,
           resource: { buffer },
         })),
-        ...geometry.entries(pipelines.geometry),
+        ...(geometry?.entries(pipelines.geometry) ?? []),
       ],
     });
   }

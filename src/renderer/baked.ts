@@ -5,7 +5,7 @@ import { TracePass } from "../gpu/tracePass";
 import { createProgram, type Program, programKey } from "./program";
 
 /** What a program reads and writes besides the scene's values. */
-export type Target = { readonly geometry: SceneGeometry; readonly film: Film };
+export type Target = { readonly geometry: SceneGeometry | undefined; readonly film: Film };
 
 /**
  * The program of a scene at rest, with the scene's values as constants. It is the same estimator with the same points as

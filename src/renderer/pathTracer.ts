@@ -7,7 +7,7 @@ import { adapterName, requestDevice } from "../gpu/device";
 import { ErrorPass } from "../gpu/errorPass";
 import { Film } from "../gpu/film";
 import { createComputePipeline } from "../gpu/pipelines";
-import { SceneGeometry } from "../gpu/sceneGeometry";
+import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { type FrameUniforms, TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
@@ -74,7 +74,7 @@ export class PathTracer {
   #settings: Settings;
   #compiled: CompiledScene;
   #program: Program;
-  #geometry: SceneGeometry;
+  #geometry: SceneGeometry | undefined;
   #trace: TracePass;
   /** Stands in for program and trace while the scene rests. */
   readonly #baked: Baked;
@@ -113,8 +113,8 @@ export class PathTracer {
   static async create(options: PathTracerOptions): Promise<PathTracer> {
     const settings = { ...DEFAULT_SETTINGS, ...options.settings };
     const scene = parseScene(options.scene);
-    const geometry = needsGeometry(scene) ? await prepareGeometry(scene, options) : undefined;
-    const compiled = compileScene(scene, settings, undefined, geometry);
+    const geometry = await prepareGeometry(scene, options);
+    const compiled = compileScene(scene, settings, undefined, geometry?.source);
     const device = options.device ?? (await requestDevice());
     try {
       const [program, errorPipeline] = await Promise.all([
@@ -133,7 +133,7 @@ export class PathTracer {
     device: GPUDevice,
     settings: Settings,
     scene: ResolvedScene,
-    geometry: Geometry | undefined,
+    geometry: Prepared | undefined,
     compiled: CompiledScene,
     program: Program,
     errorPipeline: GPUComputePipeline,
@@ -150,7 +150,7 @@ export class PathTracer {
     this.#film = new Film(device, width, height);
     this.#progress = new Progress(height);
     this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
-    this.#geometry = new SceneGeometry(device, geometry);
+    this.#geometry = geometry?.upload(device);
     this.#trace = this.#createTrace();
     this.#shared = this.#sharedUniforms();
     device.addEventListener("uncapturederror", this.#onDeviceError);
@@ -348,7 +348,7 @@ export class PathTracer {
     this.#overtake.abort();
     this.device.removeEventListener("uncapturederror", this.#onDeviceError);
     this.#trace.dispose();
-    this.#geometry.dispose();
+    this.#geometry?.dispose();
     this.#baked.drop();
     this.#errorPass.dispose();
     this.#picker?.dispose();
@@ -383,26 +383,28 @@ export class PathTracer {
 
   /** In one go where nothing has to be sorted or compiled. */
   async #prepare(scene: ResolvedScene, options: SceneOptions & { readonly signal: AbortSignal }): Promise<void> {
-    const previous = this.#geometry.source;
+    const previous = this.#geometry?.source;
+    // Not even a turn of the event loop for scenes that have none.
     const geometry = needsGeometry(scene) ? await prepareGeometry(scene, { previous, ...options }) : undefined;
     options.signal.throwIfAborted();
-    const compiled = compileScene(scene, this.#settings, undefined, geometry);
+    const compiled = compileScene(scene, this.#settings, undefined, geometry?.source);
     const isFitting = programKey(compiled) === this.#program.key;
     const program = isFitting ? this.#program : await createProgram(this.device, compiled);
     options.signal.throwIfAborted();
     this.#show(this.#pending!, geometry, compiled, program);
   }
 
-  #show({ scene, camera }: Shown, geometry: Geometry | undefined, compiled: CompiledScene, program: Program): void {
+  #show({ scene, camera }: Shown, geometry: Prepared | undefined, compiled: CompiledScene, program: Program): void {
     this.#pending = undefined;
     this.#scene = scene;
     this.#camera = camera;
     this.#compiled = compiled;
     this.#stale = true;
-    if (program === this.#program && geometry === this.#geometry.source) return;
-    if (geometry !== this.#geometry.source) {
-      this.#geometry.dispose();
-      this.#geometry = new SceneGeometry(this.device, geometry);
+    const hasSameGeometry = geometry?.source === this.#geometry?.source;
+    if (program === this.#program && hasSameGeometry) return;
+    if (!hasSameGeometry) {
+      this.#geometry?.dispose();
+      this.#geometry = geometry?.upload(this.device);
     }
     this.#program = program;
     this.#trace.dispose();
@@ -417,7 +419,7 @@ export class PathTracer {
 
   /** The scene as it is, with its values as constants. */
   readonly #bakedScene = (): CompiledScene =>
-    compileScene(this.#scene, this.#settings, this.#camera, this.#geometry.source);
+    compileScene(this.#scene, this.#settings, this.#camera, this.#geometry?.source);
 
   get #target(): Target {
     return { geometry: this.#geometry, film: this.#film };
@@ -495,8 +497,16 @@ export class PathTracer {
   }
 }
 
-/** The tree's builder is a sixth of what the renderer weighs: pages whose scenes have no need of it do not load it. */
-async function prepareGeometry(scene: ResolvedScene, options: GeometryOptions): Promise<Geometry | undefined> {
-  const geometry = await import("../compile/geometry");
-  return geometry.prepareGeometry(scene, options);
+/** A scene's geometry, and how it gets to a device. */
+type Prepared = { readonly source: Geometry; readonly upload: (device: GPUDevice) => SceneGeometry };
+
+/** The tree's builder is a tenth of what the renderer weighs: pages whose scenes have no need of it do not load it. */
+async function prepareGeometry(scene: ResolvedScene, options: GeometryOptions): Promise<Prepared | undefined> {
+  if (!needsGeometry(scene)) return undefined;
+  const [geometry, { SceneGeometry }] = await Promise.all([
+    import("../compile/geometry"),
+    import("../gpu/sceneGeometry"),
+  ]);
+  const source = await geometry.prepareGeometry(scene, options);
+  return source && { source, upload: (device) => new SceneGeometry(device, source) };
 }

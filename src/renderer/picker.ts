@@ -20,7 +20,7 @@ export type Picked = ScenePart & {
 export type Sight = {
   readonly scene: ResolvedScene;
   readonly compiled: CompiledScene;
-  readonly geometry: SceneGeometry;
+  readonly geometry: SceneGeometry | undefined;
   readonly camera: ResolvedCamera;
   /** In pixels. */
   readonly width: number;

@@ -1,20 +1,20 @@
-import { reflectanceToRgb } from "./colorimetry";
-import { ALUMINIUM, CHROMIUM, COPPER, GOLD, IRON, type OpticalConstants, SILVER, TITANIUM } from "./opticalConstants";
 import type { Rgb } from "./schema";
 
+type Metal = "gold" | "silver" | "copper" | "aluminium" | "iron" | "titanium" | "chromium";
+
 /**
- * `baseColor` of real metals, for `metallic: 1`: reflectance at normal incidence, linear Rec. 709, lit by D65. Computed
- * over the visible range from measured indices of refraction (see `opticalConstants.ts`).
+ * `baseColor` of real metals, for `metallic: 1`: reflectance at normal incidence, linear Rec. 709, lit by D65. Computed over
+ * the visible range from measured indices of refraction (see `tools/metals/opticalConstants.ts`), to six digits.
  */
-export const metals = {
-  gold: /* @__PURE__ */ metalF0(GOLD),
-  silver: /* @__PURE__ */ metalF0(SILVER),
-  copper: /* @__PURE__ */ metalF0(COPPER),
-  aluminium: /* @__PURE__ */ metalF0(ALUMINIUM),
-  iron: /* @__PURE__ */ metalF0(IRON),
-  titanium: /* @__PURE__ */ metalF0(TITANIUM),
-  chromium: /* @__PURE__ */ metalF0(CHROMIUM),
-} as const;
+export const metals: Readonly<Record<Metal, Rgb>> = {
+  gold: [1, 0.774678, 0.30714],
+  silver: [0.99075, 0.985001, 0.973761],
+  copper: [0.92915, 0.623719, 0.522282],
+  aluminium: [0.907514, 0.915783, 0.922338],
+  iron: [0.529401, 0.513332, 0.494249],
+  titanium: [0.618195, 0.579559, 0.542482],
+  chromium: [0.549532, 0.556047, 0.554295],
+};
 
 /** Reflectance at normal incidence, from air, of a conductor of complex index n + ik. */
 export function conductorF0(n: number, k: number): number {
@@ -24,15 +24,4 @@ export function conductorF0(n: number, k: number): number {
 /** Reflectance at normal incidence, from air, of a dielectric of index `ior`. */
 export function dielectricF0(ior: number): number {
   return conductorF0(ior, 0);
-}
-
-/** The colour of a metal whose table covers 390 to 780 nm; n and k are interpolated linearly between its rows. */
-export function metalF0(constants: OpticalConstants): Rgb {
-  return reflectanceToRgb((nm) => {
-    const next = constants.findIndex(([rowNm]) => rowNm >= nm);
-    const [nm0, n0, k0] = constants[next - 1]!;
-    const [nm1, n1, k1] = constants[next]!;
-    const t = (nm - nm0) / (nm1 - nm0);
-    return conductorF0(n0 + t * (n1 - n0), k0 + t * (k1 - k0));
-  });
 }

@@ -2,8 +2,9 @@ import { type LinkParams, link } from "wesl/core";
 import type { Features } from "../../src/compile/features";
 import type { Geometry } from "../../src/compile/geometry";
 import { BufferUsage, MapMode, ShaderStage } from "../../src/gpu/flags";
+import { geometryLayout } from "../../src/gpu/geometryLayout";
 import { createComputePipeline } from "../../src/gpu/pipelines";
-import { geometryLayout, SceneGeometry } from "../../src/gpu/sceneGeometry";
+import { SceneGeometry } from "../../src/gpu/sceneGeometry";
 import { testDevice } from "./device";
 
 /** The shader modules of `src/wgsl`, as `compile/linkProgram.ts` names them. */
@@ -85,7 +86,7 @@ export async function runProbe({
   const input = create("probe inputs", Math.max(inputs.byteLength, 16), STORAGE | COPY_DST);
   const output = create("probe outputs", bytes, STORAGE | COPY_SRC);
   const staging = create("probe readback", bytes, COPY_DST | MAP_READ);
-  const sceneGeometry = new SceneGeometry(device, geometry);
+  const sceneGeometry = geometry && new SceneGeometry(device, geometry);
   const uniform = scene && create("scene", scene.byteLength, UNIFORM | STORAGE | COPY_DST);
   device.queue.writeBuffer(input, 0, inputs.buffer as ArrayBuffer, inputs.byteOffset, inputs.byteLength);
   if (scene && uniform) device.queue.writeBuffer(uniform, 0, scene);
@@ -95,7 +96,7 @@ export async function runProbe({
   pass.setPipeline(pipeline);
   const entries = [
     ...(uniform ? [{ binding: 1, resource: { buffer: uniform } }] : []),
-    ...sceneGeometry.entries(geometryEntries),
+    ...(sceneGeometry?.entries(geometryEntries) ?? []),
     { binding: INPUTS, resource: { buffer: input } },
     { binding: OUTPUTS, resource: { buffer: output } },
   ];
@@ -107,7 +108,7 @@ export async function runProbe({
   await staging.mapAsync(MapMode.READ);
   const words = new Uint32Array(staging.getMappedRange().slice(0));
   for (const buffer of [input, output, staging, uniform]) buffer?.destroy();
-  sceneGeometry.dispose();
+  sceneGeometry?.dispose();
   return words;
 }
 

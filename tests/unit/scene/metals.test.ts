@@ -1,7 +1,8 @@
 import { describe, expect, test } from "vitest";
-import { reflectanceToRgb } from "../../../src/scene/colorimetry";
 import { conductorF0, dielectricF0, metals } from "../../../src/scene/metals";
-import * as opticalConstants from "../../../src/scene/opticalConstants";
+import { reflectanceToRgb } from "../../../tools/metals/colorimetry";
+import { metalF0 } from "../../../tools/metals/metalF0";
+import * as opticalConstants from "../../../tools/metals/opticalConstants";
 
 describe("F0", () => {
   test("of glass and of an index of 1", () => {
@@ -38,6 +39,11 @@ describe("colour of a spectrum", () => {
 });
 
 describe("metals", () => {
+  test.each(Object.entries(metals))("%s is what its measured indices give, to six digits", (name, color) => {
+    const constants = opticalConstants[name.toUpperCase() as Uppercase<keyof typeof metals>];
+    for (const i of [0, 1, 2] as const) expect(color[i]).toBeCloseTo(metalF0(constants)[i], 6);
+  });
+
   // What physicallybased.info (CC0) publishes for the same measurements, red of gold clipped. Its integration is independent
   // of ours, under D65 too. The tolerance is the fit of the matching functions (1 % of their peaks) acting on the part of a
   // reflectance that is not grey, at most 0.4 for gold, and half a unit of the third digit.

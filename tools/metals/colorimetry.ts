@@ -4,7 +4,7 @@
 // [2] CIE standard illuminant D65, ISO 11664-2 (CIE S 014-2)
 // [3] Rec. ITU-R BT.709-6: primaries and white, from which the matrix follows
 
-import type { Rgb } from "./schema";
+import type { Rgb } from "../../src/scene/schema";
 
 const FIRST_NM = 390;
 const STEP_NM = 10;
