@@ -1,7 +1,15 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, expectTypeOf, test } from "vitest";
 import { parseScene } from "../../../src/scene/parseScene";
-import type { ResolvedMaterial, ResolvedObject, ResolvedScene, Rgb, Scene, SceneObject, Vec3 } from "../../../src/scene/schema";
+import type {
+  ResolvedMaterial,
+  ResolvedObject,
+  ResolvedScene,
+  Rgb,
+  Scene,
+  SceneObject,
+  Vec3,
+} from "../../../src/scene/schema";
 
 const MINIMAL: Scene = { camera: { position: [0, 1, 5] }, objects: [] };
 
@@ -74,7 +82,9 @@ describe("the reference scenes", () => {
       // What is written of a mesh is arrays.
       const hasMesh = once.objects.some(({ type }) => type === "mesh");
       if (!hasMesh) expect(parseScene(once)).toEqual(once);
-      const written = JSON.stringify(once, (_, value) => (ArrayBuffer.isView(value) ? Array.from(value as never) : value));
+      const written = JSON.stringify(once, (_, value) =>
+        ArrayBuffer.isView(value) ? Array.from(value as never) : value,
+      );
       expect(parseScene(JSON.parse(written))).toEqual(once);
     });
   }
