@@ -18,3 +18,11 @@ export function randomDirection(random: () => number): Vec3 {
   const r = Math.sqrt(1 - z * z);
   return [r * Math.cos(phi), r * Math.sin(phi), z];
 }
+
+/** A local direction in which a ray goes on: cosine-distributed around z, a tenth of them grazing, at down to 10⁻⁷. */
+export function scatteredDirection(random: () => number): Vec3 {
+  const z = random() < 0.1 ? 10 ** (-1 - 6 * random()) : Math.sqrt(random());
+  const phi = 2 * Math.PI * random();
+  const r = Math.sqrt(1 - z * z);
+  return [r * Math.cos(phi), r * Math.sin(phi), z];
+}

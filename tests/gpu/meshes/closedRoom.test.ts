@@ -44,7 +44,6 @@ async function expectEverywhere(room: MeshData, bounces: number, expected: numbe
     measure(images, width, height, samples),
     constantImage(width, height, expected as unknown as readonly [number, number, number]),
   );
-  console.log(`N = ${bounces}: ${verdict.meanSigmas.map((sigmas) => sigmas.toFixed(2))} σ, σ ${verdict.meanError}`);
   expect(verdict.meanError).toBeLessThan(2e-3);
   for (const sigmas of verdict.meanSigmas) expect(Math.abs(sigmas)).toBeLessThan(4);
   expect(verdict.blockShare).toBe(1);

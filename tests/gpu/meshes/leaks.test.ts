@@ -2,7 +2,7 @@ import { afterAll, describe, expect, test } from "vitest";
 import type { Scene, Vec3 } from "../../../src/scene/schema";
 import { bumpySphere, type MeshData, meshObject, placed, triangleAt } from "../../support/meshes";
 import { add, cross, dot, scale, subtract } from "../../support/oracle";
-import { createRandom, randomDirection } from "../../support/random";
+import { createRandom, randomDirection, scatteredDirection } from "../../support/random";
 import { unit } from "../../support/solids";
 import { count, LONG } from "../../support/stability";
 import { recordStability } from "../../support/stabilityRows";
@@ -100,17 +100,9 @@ function raysAtEdges(mesh: MeshData, middle: Vec3, target: Vec3, side: "outside"
     const d = unit(subtract(aim, o));
     const facing = faces.every((face) => (side === "inside" ? 1 : -1) * dot(normals[face]!, d) > LEAST_COSINE);
     if (!facing) continue;
-    rays.set(i, o, d, hemisphere(random));
+    rays.set(i, o, d, scatteredDirection(random));
     aims[i] = Math.hypot(...subtract(aim, o));
     i++;
   }
   return { rays, aims };
-}
-
-/** Cosine-distributed, a tenth grazing. */
-function hemisphere(random: () => number): Vec3 {
-  const z = random() < 0.1 ? 10 ** (-1 - 6 * random()) : Math.sqrt(random());
-  const phi = 2 * Math.PI * random();
-  const r = Math.sqrt(1 - z * z);
-  return [r * Math.cos(phi), r * Math.sin(phi), z];
 }

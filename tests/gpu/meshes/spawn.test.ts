@@ -2,7 +2,7 @@ import { afterAll, describe, expect, test } from "vitest";
 import type { Scene, Vec3 } from "../../../src/scene/schema";
 import { bumpySphere, icosphere, meshObject, placed } from "../../support/meshes";
 import { add, scale, subtract } from "../../support/oracle";
-import { createRandom, randomDirection } from "../../support/random";
+import { createRandom, randomDirection, scatteredDirection } from "../../support/random";
 import { unit } from "../../support/solids";
 import { count, LONG } from "../../support/stability";
 import { recordStability } from "../../support/stabilityRows";
@@ -71,7 +71,7 @@ afterAll(() =>
   ),
 );
 
-/** Rays from in and outside of a mesh around `middle` at points within it. Cosine-distributed ways on, a tenth grazing. */
+/** Rays from in and outside of a mesh around `middle` at points within it. */
 function raysAround(middle: Vec3, size: number) {
   const random = createRandom(22);
   const rays = new Rays(RAYS);
@@ -80,10 +80,7 @@ function raysAround(middle: Vec3, size: number) {
     isInside[i] = random() < 0.5 ? 1 : 0;
     const o = add(middle, scale(randomDirection(random), size * (isInside[i] ? 0.5 * random() : 1.2 + 2 * random())));
     const aim = add(middle, scale(randomDirection(random), size * 0.85 * random()));
-    const z = random() < 0.1 ? 10 ** (-1 - 6 * random()) : Math.sqrt(random());
-    const phi = 2 * Math.PI * random();
-    const r = Math.sqrt(1 - z * z);
-    rays.set(i, o, unit(subtract(aim, o)), [r * Math.cos(phi), r * Math.sin(phi), z]);
+    rays.set(i, o, unit(subtract(aim, o)), scatteredDirection(random));
   }
   return { rays, isInside };
 }
