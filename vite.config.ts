@@ -2,16 +2,24 @@ import { readFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { type BuildEnvironmentOptions, defineConfig, type Plugin } from "vite";
 
-/** Ships shader modules without their comments: a twelfth of what a page downloads. WGSL has no strings to mistake for one. */
+/**
+ * Ships shader modules, and the templates of generated ones, without their comments: a twelfth of what a page downloads. WGSL
+ * has no strings to mistake for one. And the element's style without comments and indentation.
+ */
 export function leanShaders(): Plugin {
+  const lean = (text: string) => text.replaceAll(/\s*\/\/.*$/gm, "").replaceAll(/\n{2,}/g, "\n");
   return {
     name: "lean-shaders",
     enforce: "pre",
     async load(id) {
       const [file, query] = id.split("?");
       if (!file?.endsWith(".wgsl") || query !== "raw") return;
-      const text = await readFile(file, "utf8");
-      return `export default ${JSON.stringify(text.replaceAll(/\s*\/\/.*$/gm, "").trimStart())}`;
+      return `export default ${JSON.stringify(lean(await readFile(file, "utf8")).trimStart())}`;
+    },
+    transform(code, id) {
+      if (/\/compile\/emit\w+\.ts$/.test(id)) return lean(code);
+      if (/\/element\/styles\.ts$/.test(id)) return code.replaceAll(/\s*\/\*.*?\*\//gs, "").replaceAll(/\n\s+/g, "\n");
+      return;
     },
   };
 }

@@ -10,6 +10,8 @@ const MODULES = named(
       "../wgsl/*.wgsl",
       "!../wgsl/tree.wgsl",
       "!../wgsl/mesh.wgsl",
+      "!../wgsl/meshLights.wgsl",
+      "!../wgsl/multiscatter.wgsl",
       "!../wgsl/textures.wgsl",
       "!../wgsl/uniform.wgsl",
       "!../wgsl/pick.wgsl",
@@ -33,8 +35,16 @@ export async function linkProgram(
   const estimator = features.UNIFORM ? await uniformEstimator() : MODULES["./path.wgsl"]!;
   const root = rootModuleName === "pick" ? { "./pick.wgsl": await pickModule() } : {};
   const tree = features.TREE ? await treeModules() : {};
+  const multiscatter = features.MULTISCATTER ? { "./multiscatter.wgsl": await multiscatterModule() } : {};
   const { dest } = await link({
-    weslSrc: { ...MODULES, ...tree, ...root, "./scene.wgsl": sceneModule, "./estimator.wgsl": estimator },
+    weslSrc: {
+      ...MODULES,
+      ...tree,
+      ...multiscatter,
+      ...root,
+      "./scene.wgsl": sceneModule,
+      "./estimator.wgsl": estimator,
+    },
     rootModuleName,
     conditions: features,
     sourceMap: false,
@@ -50,6 +60,10 @@ async function treeModules(): Promise<Modules> {
 
 async function uniformEstimator(): Promise<string> {
   return (await import("../wgsl/uniform.wgsl?raw")).default;
+}
+
+async function multiscatterModule(): Promise<string> {
+  return (await import("../wgsl/multiscatter.wgsl?raw")).default;
 }
 
 async function pickModule(): Promise<string> {

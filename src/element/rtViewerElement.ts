@@ -18,6 +18,7 @@ import type { PanelHost, PanelSource } from "./panelHost";
 import type { PickingTarget } from "./picking";
 import { ReflectedElement } from "./reflectedElement";
 import { RenderLoop } from "./renderLoop";
+import type { EditedTracer, SceneEdits } from "./sceneEdits";
 import { Stage } from "./stage";
 import { elementStyles } from "./styles";
 import { currentBox, watchBox, watchNearness, watchReducedMotion, watchVisibility } from "./watchers";
@@ -43,8 +44,8 @@ const DISPOSAL_GRACE_MS = 10;
  * @cssprop --rt-viewer-error-color - Titles of messages.
  * @cssprop --rt-viewer-accent-color - The progress bar.
  * @cssprop --rt-viewer-focus-color - Outline while the keyboard moves the camera.
- * @cssprop [--rt-viewer-touch-action=pan-y] - With controls: a finger that sets out upright scrolls the page, one that
- * sets out sideways turns the view, two pan and zoom. `none` takes every touch.
+ * @cssprop --rt-viewer-touch-action - With controls; `pan-y` by default: a finger that sets out upright scrolls the page, one
+ * that sets out sideways turns the view, two pan and zoom. `none` takes every touch.
  */
 export class RtViewerElement extends ReflectedElement {
   static readonly observedAttributes = OBSERVED_ATTRIBUTES;
@@ -401,13 +402,13 @@ export class RtViewerElement extends ReflectedElement {
   }
 
   async #loadPanel(tracer: PathTracer): Promise<void> {
-    const [{ PanelHost }, { bindPicking }] = await Promise.all([import("./panelHost"), import("./picking")]);
+    const { PanelHost, bindPicking, createSceneEdits } = await import("./panelHost");
     if (tracer !== this.tracer || !this.showStats || this.#connection === undefined) return;
     this.#panel ??= new PanelHost(this.#corner);
     const { signal } = this.#connection;
     if (signal !== this.#picking) bindPicking(this, this.#canvas, this.#pickingTarget(this.#panel), signal);
     this.#picking = signal;
-    await this.#panel.show(this.#panelSource(tracer), this.getAttribute("stats") === "folded");
+    await this.#panel.show(this.#panelSource(tracer, createSceneEdits), this.getAttribute("stats") === "folded");
   }
 
   /** Only while the panel is there, which shows what is picked. */
@@ -423,7 +424,7 @@ export class RtViewerElement extends ReflectedElement {
     };
   }
 
-  #panelSource(tracer: PathTracer): PanelSource {
+  #panelSource(tracer: PathTracer, createSceneEdits: (tracer: EditedTracer) => SceneEdits): PanelSource {
     return {
       stats: tracer.stats,
       knobs: this.#knobs(tracer),
@@ -436,7 +437,7 @@ export class RtViewerElement extends ReflectedElement {
       wgsl: () => tracer.program.wgsl,
       editor: {
         scene: tracer.scene,
-        onEdit: (scene) => this.#edit(scene),
+        onEdit: (scene) => this.#edit(scene, createSceneEdits),
         onSelect: (part) => this.#tellPick(part),
       },
     };
@@ -447,8 +448,8 @@ export class RtViewerElement extends ReflectedElement {
     return { ...settings, exposure, maxBounces: settings.maxBounces ?? tracer.scene.maxBounces };
   }
 
-  #edit(scene: Scene): void {
-    if (!this.#stage.edit(scene)) return;
+  #edit(scene: Scene, createEdits: (tracer: EditedTracer) => SceneEdits): void {
+    if (!this.#stage.edit(scene, createEdits)) return;
     if (this.#scene === undefined) this.#edited = scene;
     else this.#scene = this.#requested = scene;
   }

@@ -44,3 +44,5 @@ export class SceneEdits {
     await shown;
   }
 }
+
+export const createSceneEdits = (tracer: EditedTracer): SceneEdits => new SceneEdits(tracer);

@@ -8,7 +8,7 @@ import { CanvasView } from "./canvasView";
 import type { DeviceLostDetail, ProgressDetail, ReadyDetail } from "./events";
 import { LatestTask } from "./latestTask";
 import type { LoadProgressDetail, ReportProgress } from "./loadProgress";
-import { SceneEdits } from "./sceneEdits";
+import type { EditedTracer, SceneEdits } from "./sceneEdits";
 import { type DeviceLease, isLost, leaseDevice } from "./sharedDevice";
 
 /** Whom the stage tells what happens on it. */
@@ -153,10 +153,12 @@ export class Stage {
   /**
    * Shows the scene with other values, seen from where the camera is. Errors are reported.
    *
+   * @param createEdits - asked once per tracer; its code comes with the panel.
    * @returns false, and nothing is done, without a scene and while another one is loaded.
    */
-  edit(scene: Scene): boolean {
-    if (this.#edits === undefined || this.#loads > 0) return false;
+  edit(scene: Scene, createEdits: (tracer: EditedTracer) => SceneEdits): boolean {
+    if (this.tracer === undefined || this.#loads > 0) return false;
+    this.#edits ??= createEdits(this.tracer);
     this.#edits.show(scene).catch((error: unknown) => this.#listener.onError(toError(error)));
     return true;
   }
@@ -215,10 +217,7 @@ export class Stage {
   async #open(scene: Scene, { device }: DeviceLease, signal: AbortSignal): Promise<void> {
     const tracer = await PathTracer.create({ scene, ...this.#size, settings: this.#effectiveSettings(), device });
     if (signal.aborted || this.#lease?.device !== device) tracer.dispose();
-    else {
-      this.#view = new CanvasView(tracer, this.#canvas);
-      this.#edits = new SceneEdits(tracer);
-    }
+    else this.#view = new CanvasView(tracer, this.#canvas);
   }
 
   /** What the page asked for while the scene was compiled, or before. */

@@ -113,7 +113,7 @@ export class PathTracer {
   static async create(options: PathTracerOptions): Promise<PathTracer> {
     const settings = { ...DEFAULT_SETTINGS, ...options.settings };
     const scene = parseScene(options.scene);
-    const geometry = await prepareGeometry(scene, options);
+    const geometry = needsGeometry(scene) ? await prepareGeometry(scene, options) : undefined;
     const compiled = compileScene(scene, settings, undefined, geometry?.source);
     const device = options.device ?? (await requestDevice());
     try {
@@ -502,7 +502,6 @@ type Prepared = { readonly source: Geometry; readonly upload: (device: GPUDevice
 
 /** The tree's builder is a tenth of what the renderer weighs: pages whose scenes have no need of it do not load it. */
 async function prepareGeometry(scene: ResolvedScene, options: GeometryOptions): Promise<Prepared | undefined> {
-  if (!needsGeometry(scene)) return undefined;
   const [geometry, { SceneGeometry }] = await Promise.all([
     import("../compile/geometry"),
     import("../gpu/sceneGeometry"),

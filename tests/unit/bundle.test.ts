@@ -6,7 +6,7 @@ import { leanShaders } from "../../vite.config";
 
 const LIMIT_KB = 70;
 const PANEL_LIMIT_KB = 40;
-const SINGLE_FILE_LIMIT_KB = 120;
+const SINGLE_FILE_LIMIT_KB = 140; // the panel, the controls and the tree of meshes too
 
 type Chunk = Rollup.OutputChunk;
 
@@ -89,6 +89,7 @@ test(`the single file is one file, of at most ${SINGLE_FILE_LIMIT_KB} kB, that i
   console.log(`${kilobytes(files).toFixed(1).padStart(6)} kB gzip  rt-viewer.min.js`);
   expect(files.map(({ fileName }) => fileName)).toEqual(["rt-viewer.min.js"]);
   expect(files[0]!.imports).toEqual([]);
-  expect(files[0]!.dynamicImports).toEqual(["./rt-viewer.gltf.min.js"]);
+  const elsewhere = files[0]!.dynamicImports.filter((name) => name !== files[0]!.fileName);
+  expect(elsewhere).toEqual(["./rt-viewer.gltf.min.js"]);
   expect(kilobytes(files)).toBeLessThanOrEqual(SINGLE_FILE_LIMIT_KB);
 });

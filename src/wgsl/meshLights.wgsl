@@ -1,0 +1,41 @@
+// Points on meshes that emit.
+//
+// [1] Walker 1977, "An Efficient Method for Generating Discrete Random Variables with General Distributions", TOMS 3(3)
+import package::lights::{Light, LightSample, fromArea, squareToTriangle};
+import package::mesh::uvs;
+import package::scene::{PRIMITIVES, factorsOf};
+import package::textures::colorAt;
+import package::tree::{TURNED_TRIANGLE, itemAt};
+
+// A triangle of a mesh by Walker's method: in proportion to their areas, to within a share of 2⁻²⁴ of the mesh's. [1]
+struct ShiningTriangle {
+  // Whether this triangle keeps its turn, or gives it to another.
+  probability: f32,
+  slot: u32,
+  other: u32,
+  unused: u32,
+}
+
+// Written by the renderer when the geometry changes.
+@if(MESH_LIGHTS)
+@group(0) @binding(8) var<storage, read> shiningTriangles: array<ShiningTriangle>;
+
+// Uniform on a mesh's whole surface.
+@if(MESH_LIGHTS)
+fn sampleMesh(p: vec3f, light: Light, u: vec2f, pick: vec2f) -> LightSample {
+  let index = min(u32(pick.x * light.position.y), u32(light.position.y) - 1u);
+  let entry = shiningTriangles[u32(light.position.x) + index];
+  let slot = select(entry.other, entry.slot, pick.y < entry.probability);
+  let item = itemAt(slot);
+  let edge1 = item.b - item.a;
+  let edge2 = item.c - item.a;
+  let front = normalize(cross(edge1, edge2)) * select(1.0, -1.0, item.kind == TURNED_TRIANGLE);
+  let at = squareToTriangle(u);
+  var sample = fromArea(p, item.a + at.x * edge1 + at.y * edge2, front, light.size);
+  sample.id = PRIMITIVES + slot;
+  @if(EMISSION_TEXTURES) {
+    let uv = (1.0 - at.x - at.y) * uvs[3u * slot] + at.x * uvs[3u * slot + 1u] + at.y * uvs[3u * slot + 2u];
+    sample.estimate *= colorAt(factorsOf(item.id).emissionTexture, uv);
+  }
+  return sample;
+}
