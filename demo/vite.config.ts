@@ -6,7 +6,11 @@ import { sceneSchemaModule } from "../tools/sceneSchemaModule";
 import { leanShaders } from "../vite.config";
 import { site, sitePages } from "./site/plugin";
 
-const TYPES: { readonly [extension: string]: string } = { ".json": "application/json", ".webp": "image/webp" };
+const TYPES: { readonly [extension: string]: string } = {
+  ".glb": "model/gltf-binary",
+  ".json": "application/json",
+  ".webp": "image/webp",
+};
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -28,6 +32,7 @@ export default defineConfig({
     site(),
     sceneSchemaModule(),
     served("scenes", here("../tests/reference/scenes/"), /\.json$/),
+    served("models", here("../tests/reference/"), /\.glb$/),
     served("posters", here("posters/"), /\.webp$/),
     served("references", here("../tests/reference/"), /\.(f32|meta\.json)$/),
   ],

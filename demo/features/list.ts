@@ -2,6 +2,7 @@
 export const FEATURE_GROUPS = [
   { title: "Light", names: ["soft-shadows", "emission", "ambient-light", "bounces"] },
   { title: "Surfaces", names: ["color-bleeding", "metals", "roughness", "mirror"] },
+  { title: "Shapes", names: ["meshes", "files"] },
   { title: "Precision and control", names: ["energy", "target-error", "estimators", "camera"] },
 ] as const;
 

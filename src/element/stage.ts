@@ -196,8 +196,10 @@ export class Stage {
       if (signal.aborted && lease !== this.#lease) return lease.release();
       if (lease !== this.#lease) this.#hold(lease);
       report("compiling");
+      const onProgress = (fraction: number) => (fraction < 1 ? report("building", fraction) : report("compiling"));
       try {
-        await (this.#view === undefined ? this.#open(scene, lease, signal) : this.#view.tracer.setScene(scene));
+        const tracer = this.#view?.tracer;
+        await (tracer ? tracer.setScene(scene, { onProgress }) : this.#open(scene, lease, signal, onProgress));
       } catch (error) {
         if (signal.aborted || !(await isLost(lease.device))) throw error;
       }
@@ -214,8 +216,14 @@ export class Stage {
     });
   }
 
-  async #open(scene: Scene, { device }: DeviceLease, signal: AbortSignal): Promise<void> {
-    const tracer = await PathTracer.create({ scene, ...this.#size, settings: this.#effectiveSettings(), device });
+  async #open(
+    scene: Scene,
+    { device }: DeviceLease,
+    signal: AbortSignal,
+    onProgress: (fraction: number) => void,
+  ): Promise<void> {
+    const settings = this.#effectiveSettings();
+    const tracer = await PathTracer.create({ scene, ...this.#size, settings, device, onProgress });
     if (signal.aborted || this.#lease?.device !== device) tracer.dispose();
     else this.#view = new CanvasView(tracer, this.#canvas);
   }

@@ -5,11 +5,12 @@ import { formatScene } from "../../../demo/playground/formatScene";
 const FOLDER = new URL("../../reference/scenes/", import.meta.url);
 
 describe("formatScene", () => {
-  test.each(readdirSync(FOLDER))("changes nothing in %s, and keeps its lines short", (name) => {
+  test.each(readdirSync(FOLDER))("changes nothing in %s, and keeps its lines short but those of a mesh", (name) => {
     const scene: unknown = JSON.parse(readFileSync(new URL(name, FOLDER), "utf8"));
     const text = formatScene(scene);
     expect(JSON.parse(text)).toEqual(scene);
-    expect(text.split("\n").every(({ length }) => length <= 120)).toBe(true);
+    const lines = text.split("\n").filter((line) => !/^ *"(positions|indices|normals)": \[/.test(line));
+    expect(lines.every(({ length }) => length <= 120)).toBe(true);
   });
 
   test("writes a vector and a small object on one line, and a mesh's numbers too", () => {
