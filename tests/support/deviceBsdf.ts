@@ -14,7 +14,7 @@ export type BsdfInput = {
 
 /** f·cos and the density of sampling, as `bsdfEval` gives them: four floats per input. */
 export function evaluateBsdf(materials: readonly Material[], inputs: readonly BsdfInput[]): Promise<Float32Array> {
-  return run(materials, inputs, 1, "outputs[i] = bitcast<vec4u>(bsdfEval(bsdfOf(id, wo.z), wo, x.xyz));");
+  return run(materials, inputs, 1, "outputs[i] = bitcast<vec4u>(bsdfEval(bsdfOf(id, wo.z, vec2f(0.0)), wo, x.xyz));");
 }
 
 /** As `bsdfSample` gives them, eight floats per input: wi, pdf, weight, 0. */
@@ -23,7 +23,7 @@ export function sampleBsdf(materials: readonly Material[], inputs: readonly Bsdf
     materials,
     inputs,
     2,
-    `let drawn = bsdfSample(bsdfOf(id, wo.z), wo, x.xy, x.z);
+    `let drawn = bsdfSample(bsdfOf(id, wo.z, vec2f(0.0)), wo, x.xy, x.z);
     outputs[2u * i] = bitcast<vec4u>(vec4f(drawn.wi, drawn.pdf));
     outputs[2u * i + 1u] = bitcast<vec4u>(vec4f(drawn.weight, 0.0));`,
   );
