@@ -6,6 +6,7 @@ import { BufferUsage, TextureUsage } from "./flags";
 /** How radiance is brought into a display's range, in the order of `displayed` in `wgsl/tonemap.wgsl`. */
 export const TONE_MAPS = ["none", "aces", "agx"] as const;
 
+/** One of these ways: light cut off at 1, Hill's fit of ACES, or AgX. */
 export type ToneMap = (typeof TONE_MAPS)[number];
 
 export type ViewUniforms = StructValue<typeof VIEW.fields>;

@@ -22,6 +22,7 @@ export type DecodedImage = {
  */
 export type DecodeImage = (bytes: Uint8Array, mimeType: string) => Promise<DecodedImage>;
 
+/** What a file needs besides its bytes. Every field is optional. */
 export type LoadOptions = {
   /** What the file is called in errors. Default "the file". */
   readonly name?: string;

@@ -33,6 +33,7 @@ export type PathTracerOptions = {
   readonly settings?: Partial<Settings>;
 } & SceneOptions;
 
+/** What somebody who shows a scene may want to know meanwhile. */
 export type SceneOptions = {
   /** Told which share of a scene's geometry is sorted, from 0 to 1, where there is much of it. */
   readonly onProgress?: (fraction: number) => void;

@@ -21,7 +21,7 @@ test("the gallery's five viewers become ready and show something", async ({ page
 
 test("on a software adapter one viewer computes at a time", async ({ page }) => {
   await page.goto(DEMO_URL);
-  await expect(page.getByRole("status")).toContainText(/Running on/, { timeout: 30_000 });
+  await expect(page.locator("#adapter")).toContainText(/Running on/, { timeout: 30_000 });
   const running = () => page.locator("rt-viewer:not([paused])").count();
   await expect.poll(running).toBe(1);
 });

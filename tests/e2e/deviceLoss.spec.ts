@@ -54,7 +54,8 @@ test("20 lost devices in a row are survived, half of them lost before their firs
 
 test("viewers that lost the same device share the next one", async ({ page }) => {
   await openViewer(page, SMALL, 2);
-  await waitForSamples(await addViewer(page, SMALL), 2);
+  await addViewer(page, SMALL);
+  await waitForSamples(page.locator("rt-viewer").nth(1), 2);
   const isShared = await page.evaluate(async () => {
     const viewers = [...document.querySelectorAll("rt-viewer")];
     const ready = viewers.map((viewer) => new Promise((resolve) => viewer.addEventListener("ready", resolve)));

@@ -215,6 +215,6 @@ test("names from a scene file are text, whatever they say", async ({ page }) => 
   await waitForSamples(viewer, 1);
   await canvasOf(viewer).click({ position: GOLD });
   await expect(folderOf(viewer, `material · ${name}`)).toBeVisible();
-  expect(await viewer.evaluate((element) => element.shadowRoot!.querySelectorAll("img").length)).toBe(0);
+  await expect(viewer.locator("[part=panel] img")).toHaveCount(0);
   expect(await page.title()).not.toBe("owned");
 });
