@@ -141,7 +141,8 @@ test("one file from a CDN is all that a page needs", async ({ page, project }) =
   }));
   const whileDragging = "drop"; // there while files are dragged over the element
   expect(new Set(cssParts?.map(({ name }) => name))).toEqual(new Set([...found.parts, whileDragging]));
-  expect(new Set(slots?.map(({ name }) => name))).toEqual(new Set(found.slots));
+  const onFailure = "fallback"; // there in place of a picture
+  expect(new Set(slots?.map(({ name }) => name))).toEqual(new Set([...found.slots, onFailure]));
 });
 
 test("everything that is exported has a docstring", async ({ project }) => {
