@@ -1,5 +1,4 @@
 import { type CompiledScene, compileScene } from "../compile/compileScene";
-import type { Geometry, GeometryOptions } from "../compile/geometry";
 import { linkModule } from "../compile/linkProgram";
 import { needsGeometry } from "../compile/treeShapes";
 import { WebGpuError } from "../errors";
@@ -17,6 +16,7 @@ import { Display, readPicture, type View } from "./display";
 import { InFlight } from "./inFlight";
 import { Meter } from "./meter";
 import type { Picked, Picker, Sight } from "./picker";
+import { type Prepared, prepareGeometry } from "./prepareGeometry";
 import { createProgram, type Program, programKey } from "./program";
 import { Progress } from "./progress";
 import { DEFAULT_SETTINGS, type Settings } from "./settings";
@@ -496,17 +496,4 @@ export class PathTracer {
     const lamps = lampPixels(this.#compiled.lamps, basis, width, height);
     return { ...view, ...lamps, size: [width, height], seed, maxBounces, lightSamples };
   }
-}
-
-/** A scene's geometry, and how it gets to a device. */
-type Prepared = { readonly source: Geometry; readonly upload: (device: GPUDevice) => SceneGeometry };
-
-/** The tree's builder is a tenth of what the renderer weighs: pages whose scenes have no need of it do not load it. */
-async function prepareGeometry(scene: ResolvedScene, options: GeometryOptions): Promise<Prepared | undefined> {
-  const [geometry, { SceneGeometry }] = await Promise.all([
-    import("../compile/geometry"),
-    import("../gpu/sceneGeometry"),
-  ]);
-  const source = await geometry.prepareGeometry(scene, options);
-  return source && { source, upload: (device) => new SceneGeometry(device, source) };
 }

@@ -118,6 +118,33 @@ describe.each(ESTIMATORS)("$estimator estimator", (settings) => {
   });
 });
 
+const TEXTURE = { width: 1, height: 1, texels: [200, 100, 150, 255] } as const;
+const TEXTURES = {
+  baseColorTexture: "t",
+  metallicRoughnessTexture: "t",
+  emissionTexture: "t",
+  normalTexture: "t",
+} as const;
+
+describe.each(ESTIMATORS)("$estimator estimator, a mesh", (settings) => {
+  test.each(Object.keys(MATERIALS))("of %s compiles without a warning, faceted, smooth and textured", async (name) => {
+    const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+    const mesh = { type: "mesh", positions, indices: [0, 1, 2], material: "m" } as const;
+    const textured = { ...mesh, uvs: [0, 0, 1, 0, 0, 1] };
+    for (const object of [mesh, { ...mesh, normals: positions }, textured, { ...textured, normals: positions }]) {
+      const material = { ...MATERIALS[name]!, ...("uvs" in object && TEXTURES) };
+      const scene = sceneOf(
+        [object, PRIMITIVES["a sphere"]!],
+        { m: material, n: {} },
+        LIGHTS["lights of both kinds"]!,
+        [1, 1, 1],
+      );
+      const objects = scene.objects.map((each, i) => (i === 1 ? { ...each, material: "n" } : each));
+      await expectGood({ ...scene, objects, textures: { t: TEXTURE } }, settings);
+    }
+  });
+});
+
 test.each(Object.keys(PRIMITIVES))(
   "what picks %s compiles without a warning, and so does what picks all or nothing",
   async (name) => {
