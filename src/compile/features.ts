@@ -26,6 +26,7 @@ export function deriveFeatures(
   const rough = specular.filter((material) => alphaOf(material) > 0);
   const hasShape = (kind: Shape["kind"]) => primitives.some(({ shape }) => shape.kind === kind);
   const hasTexture = (field: TextureField) => materials.some((material) => material[field] !== undefined);
+  const NORMAL_TEXTURES = hasTexture("normalTexture");
   const isSmooth = geometry?.data.normals !== undefined;
   const inTree = (kind: Shape["kind"]) => geometry?.treeShapes.some(({ shape }) => shape.kind === kind) ?? false;
   const hasLight = (kind: LightKind) => emitters.some((emitter) => emitter.kind === kind);
@@ -46,11 +47,11 @@ export function deriveFeatures(
     // Some mesh has normals.
     SMOOTH: isSmooth,
     // Or a texture of them: shading goes by another normal than the surface's own.
-    SHADING_NORMALS: isSmooth || hasTexture("normalTexture"),
+    SHADING_NORMALS: isSmooth || NORMAL_TEXTURES,
     TEXTURES: TEXTURE_FIELDS.some(hasTexture),
     SURFACE_TEXTURES: hasTexture("baseColorTexture") || hasTexture("metallicRoughnessTexture"),
     EMISSION_TEXTURES: hasTexture("emissionTexture"),
-    NORMAL_TEXTURES: hasTexture("normalTexture"),
+    NORMAL_TEXTURES,
     HUGE_SPHERES: hasHugeSpheres(primitives),
     RIMS: hasRims(primitives),
     DIFFUSE,

@@ -32,42 +32,22 @@ export async function linkProgram(
   features: Features,
   rootModuleName: "trace" | "pick" = "trace",
 ): Promise<string> {
-  const estimator = features.UNIFORM ? await uniformEstimator() : MODULES["./path.wgsl"]!;
-  const root = rootModuleName === "pick" ? { "./pick.wgsl": await pickModule() } : {};
-  const tree = features.TREE ? await treeModules() : {};
-  const multiscatter = features.MULTISCATTER ? { "./multiscatter.wgsl": await multiscatterModule() } : {};
+  // What few scenes need is loaded when one does.
+  const { default: estimator } = features.UNIFORM
+    ? await import("../wgsl/uniform.wgsl?raw")
+    : { default: MODULES["./path.wgsl"]! };
+  const onDemand: Modules = {
+    ...(features.TREE && named((await import("./treeModules")).TREE_MODULES)),
+    ...(features.MULTISCATTER && { "./multiscatter.wgsl": (await import("../wgsl/multiscatter.wgsl?raw")).default }),
+    ...(rootModuleName === "pick" && { "./pick.wgsl": (await import("../wgsl/pick.wgsl?raw")).default }),
+  };
   const { dest } = await link({
-    weslSrc: {
-      ...MODULES,
-      ...tree,
-      ...multiscatter,
-      ...root,
-      "./scene.wgsl": sceneModule,
-      "./estimator.wgsl": estimator,
-    },
+    weslSrc: { ...MODULES, ...onDemand, "./scene.wgsl": sceneModule, "./estimator.wgsl": estimator },
     rootModuleName,
     conditions: features,
     sourceMap: false,
   });
   return dest;
-}
-
-// What few scenes need is loaded when one does.
-
-async function treeModules(): Promise<Modules> {
-  return named((await import("./treeModules")).TREE_MODULES);
-}
-
-async function uniformEstimator(): Promise<string> {
-  return (await import("../wgsl/uniform.wgsl?raw")).default;
-}
-
-async function multiscatterModule(): Promise<string> {
-  return (await import("../wgsl/multiscatter.wgsl?raw")).default;
-}
-
-async function pickModule(): Promise<string> {
-  return (await import("../wgsl/pick.wgsl?raw")).default;
 }
 
 function named(modules: Modules): Modules {

@@ -89,10 +89,14 @@ export class RtViewerElement extends ReflectedElement {
     this.#corner = this.ownerDocument.createElement("div");
     this.#corner.className = "panel";
     this.#corner.setAttribute("part", "panel");
-    const [curtain, message, liveRegion] = [this.#curtain, this.#message, this.#liveRegion].map(
-      ({ element }) => element,
+    root.append(
+      this.#canvas,
+      this.#curtain.element,
+      this.#corner,
+      this.#message.element,
+      this.#liveRegion.element,
+      createKeyHelp(this.ownerDocument),
     );
-    root.append(this.#canvas, curtain!, this.#corner, message!, liveRegion!, createKeyHelp(this.ownerDocument));
     this.#stage = new Stage(this.#canvas, {
       onLoadProgress: (detail) => {
         this.#curtain.showProgress(detail);

@@ -4,30 +4,26 @@ import { ShaderStage } from "./flags";
 
 export type GeometryPart = keyof GeometryData;
 
-/** Bindings of the trace pass's group that hold geometry, as `wgsl/tree.wgsl`, `mesh.wgsl` and `lights.wgsl` declare them. */
-export const GEOMETRY_BINDINGS: Readonly<
-  Record<GeometryPart, { readonly binding: number; readonly isTexture?: boolean }>
-> = {
-  nodes: { binding: 5, isTexture: true },
-  items: { binding: 6, isTexture: true },
-  normals: { binding: 7 },
-  shiningTriangles: { binding: 8 },
-  uvs: { binding: 9 },
-  texels: { binding: 10 },
+/** Where a part of the geometry is in the trace pass's group, and what a program must have to read it. */
+type Binding = { readonly binding: number; readonly feature: keyof Features; readonly isTexture?: boolean };
+
+/** As `wgsl/tree.wgsl`, `mesh.wgsl`, `meshLights.wgsl` and `textures.wgsl` declare them. */
+export const GEOMETRY_BINDINGS: Readonly<Record<GeometryPart, Binding>> = {
+  nodes: { binding: 5, feature: "TREE", isTexture: true },
+  items: { binding: 6, feature: "TREE", isTexture: true },
+  normals: { binding: 7, feature: "SMOOTH" },
+  shiningTriangles: { binding: 8, feature: "MESH_LIGHTS" },
+  uvs: { binding: 9, feature: "TEXTURES" },
+  texels: { binding: 10, feature: "TEXTURES" },
 };
 
 /** What a program with these features reads. */
-export function geometryLayout({ TREE, SMOOTH, MESH_LIGHTS, TEXTURES }: Features): GPUBindGroupLayoutEntry[] {
-  const parts: readonly GeometryPart[] = [
-    ...(TREE ? (["nodes", "items"] as const) : []),
-    ...(SMOOTH ? (["normals"] as const) : []),
-    ...(MESH_LIGHTS ? (["shiningTriangles"] as const) : []),
-    ...(TEXTURES ? (["uvs", "texels"] as const) : []),
-  ];
-  return parts.map((part) => {
-    const { binding, isTexture } = GEOMETRY_BINDINGS[part];
-    const visibility = ShaderStage.COMPUTE;
-    if (isTexture) return { binding, visibility, texture: { sampleType: "uint" } };
-    return { binding, visibility, buffer: { type: "read-only-storage" } };
-  });
+export function geometryLayout(features: Features): GPUBindGroupLayoutEntry[] {
+  return Object.values(GEOMETRY_BINDINGS)
+    .filter(({ feature }) => features[feature])
+    .map(({ binding, isTexture }) => ({
+      binding,
+      visibility: ShaderStage.COMPUTE,
+      ...(isTexture ? { texture: { sampleType: "uint" } } : { buffer: { type: "read-only-storage" } }),
+    }));
 }
