@@ -60,8 +60,9 @@ export function compileScene(
   );
   const slots = new Slots();
   const camera = restingCamera && subtract(restingCamera.position, origin);
-  const textureCount = Object.keys(scene.textures).length;
-  const pack = () => packScene(primitives, emitters, geometry, environment, scene.textures, slots.numbers);
+  const textures = features.TEXTURES ? scene.textures : {}; // nobody may use them
+  const textureCount = Object.keys(textures).length;
+  const pack = () => packScene(primitives, emitters, geometry, environment, textures, slots.numbers);
   const sceneModule = emitScene(
     { primitives, emitters, features, textureCount, geometry },
     camera ? new Literals() : slots,
