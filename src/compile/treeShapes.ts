@@ -7,7 +7,8 @@ import { hasArea, type Shape, shapesOf } from "./primitives";
 export type TreeShape = { readonly id: number; readonly shape: BoundedShape };
 export type BoundedShape = Exclude<Shape, { kind: "mesh" | "plane" }>;
 
-// From here on the tree is quicker than the unrolled program, and the program's size and compile time stay bounded.
+// Keeps the size and the compile time of programs bounded: 150 unrolled shapes took 2.3 s. Where the tree becomes the quicker one
+// has not been measured.
 const MAX_UNROLLED = 48;
 
 /** The scene's bounded shapes, if they are more than `MAX_UNROLLED`; else none. */
