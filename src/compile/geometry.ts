@@ -32,7 +32,7 @@ export type MeshPart = {
   readonly upper: Vec3;
 };
 
-/** What `wgsl/tree.wgsl`, `wgsl/mesh.wgsl` and `wgsl/lights.wgsl` read. */
+/** What `wgsl/tree.wgsl`, `mesh.wgsl`, `meshLights.wgsl` and `textures.wgsl` read. */
 export type GeometryData = {
   readonly nodes: ArrayBuffer;
   readonly items: ArrayBuffer;
@@ -53,7 +53,6 @@ export type Geometry = {
   readonly emitting: readonly number[];
   readonly lamps: ReadonlyMap<number, MeshLamp>;
   readonly textures: Textures;
-  readonly triangleCount: number;
   /** `slotOf[item]`: where it lies in the tree's leaves. Items are the triangles of all meshes, then `treeShapes`. */
   readonly slotOf: Uint32Array;
   readonly treeShapes: readonly TreeShape[];
@@ -109,7 +108,7 @@ export async function prepareGeometry(
   const texels = packTexels(textures);
   const data = { nodes: packTree(bvh), ...packItems(parts, treeShapes, slotOf, texels !== undefined), texels };
   const { depth } = bvh;
-  return withLamps({ origin, parts, treeShapes, shapes, textures, triangleCount, slotOf, depth, data }, emitting);
+  return withLamps({ origin, parts, treeShapes, shapes, textures, slotOf, depth, data }, emitting);
 }
 
 function meshesOf(scene: ResolvedScene): { object: MeshObject; id: number }[] {

@@ -7,7 +7,7 @@ const ENTRY_WORDS = 4;
 export type MeshLamp = { readonly first: number; readonly count: number; readonly area: number };
 
 /**
- * The triangles of meshes that emit, as `wgsl/lights.wgsl` chooses among them: per entry the probability to keep its turn, its
+ * The triangles of meshes that emit, as `wgsl/meshLights.wgsl` chooses among them: per entry the probability to keep its turn, its
  * slot, and the slot that has the turn otherwise; 16 bytes.
  *
  * @returns the table, undefined if it is empty; and the lamp of each mesh that has an area, by id.

@@ -3,8 +3,6 @@ import type { Bvh } from "../bvh/buildBvh";
 const NODE_WORDS = 16;
 const LEAF = 2 ** 31;
 const COUNT_SHIFT = 27;
-/** The most items that a link to a leaf can count. */
-export const MAX_LEAF_ITEMS = 15;
 
 // Coordinates of a child that is not there: as far away as rays end.
 const NOWHERE = 1e18;
