@@ -1,57 +1,86 @@
 import type { Bvh } from "../bvh/buildBvh";
 
-const NODE_WORDS = 16;
-const LEAF = 2 ** 31;
-const COUNT_SHIFT = 27;
+const NODE_WORDS = 8;
+const LEAF_AXIS = 3;
 
-// Coordinates of a child that is not there: as far away as rays end.
+// Boxes are told in whole steps of a grid over their parent's box. Of at most this many: what they grow by still fits a byte.
+const STEPS = 253;
+// A box reaches at least this share of a step further than what it holds: more than the shader's arithmetic can be wrong by.
+const MARGIN = 2 ** -6;
+
+// Where a node of nothing is: as far away as rays end.
 const NOWHERE = 1e18;
 
 /**
- * A tree as `wgsl/tree.wgsl` reads it: its inner nodes, in the same order, each with the boxes of both its children (Aila,
- * Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs"), 64 bytes:
+ * A tree as `wgsl/tree.wgsl` reads it: its inner nodes, in the same order, each with the boxes of both its children on a grid
+ * over its own (Ylitie, Karras, Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", section 3,
+ * with two children), 32 bytes:
  *
- *      0  lower corner of the first child, f32 x, y, z
- *     12  link to the first child
- *     16  its upper corner
- *     28  link to the second child
- *     32  lower corner of the second child; 4 unused bytes
- *     48  its upper corner; 4 unused bytes
+ *      0  lower corner of its box, f32 x, y, z
+ *     12  of the first child that is a leaf, the slot of its first item; without leaves, the number of the second child
+ *     16  along x, a byte each: half size of the first child's box, in half steps; its middle, in steps; half size of the
+ *         second's; its middle less 128, signed
+ *     20  along y, likewise
+ *     24  along z, likewise
+ *     28  3 bits: items of the first child, 0 if it is a node; 3 bits: of the second; 1 unused bit; 3 × 8 bits: exponents of the
+ *         steps along x, y and z, as an f32 has them; 1 unused bit
  *
- * A link is the number of an inner node or, with the highest bit set, a leaf: in the next four bits how many items it has,
- * in the others the slot of the first. A tree of one leaf becomes a node whose first child it is.
+ * The items of a second leaf follow those of the first. A child that is a node, but for the second of two, is the next node. A
+ * tree of one leaf becomes a node of it and a node that no ray meets.
  */
 export function packTree({ bounds, links, axes, counts }: Bvh): ArrayBuffer {
-  const isLeaf = (node: number) => axes[node] === 3;
+  const isLeaf = (node: number) => axes[node] === LEAF_AXIS;
   // Number among the inner nodes.
   const rank = new Uint32Array(axes.length);
   let innerCount = 0;
   for (let node = 0; node < axes.length; node++) if (!isLeaf(node)) rank[node] = innerCount++;
 
-  const buffer = new ArrayBuffer(4 * NODE_WORDS * Math.max(innerCount, 1));
+  const buffer = new ArrayBuffer(4 * NODE_WORDS * Math.max(innerCount, 2));
   const [floats, words] = [new Float32Array(buffer), new Uint32Array(buffer)];
-  const linkTo = (node: number) =>
-    isLeaf(node) ? LEAF + counts[node]! * 2 ** COUNT_SHIFT + links[node]! : rank[node]!;
-  const putBox = (at: number, node: number) => {
-    for (let axis = 0; axis < 3; axis++) {
-      floats[at + axis] = bounds[6 * node + axis]!;
-      floats[at + 4 + axis] = bounds[6 * node + 3 + axis]!;
-    }
-  };
-
   for (let node = 0; node < axes.length; node++) {
     if (isLeaf(node)) continue;
+    const [first, second] = [node + 1, links[node]!];
     const at = NODE_WORDS * rank[node]!;
-    putBox(at, node + 1);
-    putBox(at + 8, links[node]!);
-    words[at + 3] = linkTo(node + 1);
-    words[at + 7] = linkTo(links[node]!);
+    putBoxes(at, node, first, second);
+    const told = isLeaf(first) ? first : second;
+    words[at + 3] = isLeaf(told) ? links[told]! : rank[told]!;
+    words[at + 7]! |= counts[first]! | (counts[second]! << 3);
   }
   if (innerCount === 0) {
-    floats.fill(NOWHERE);
-    if (counts[0]! > 0) putBox(0, 0);
-    words[3] = linkTo(0);
-    words[7] = LEAF;
+    const count = counts[0]!;
+    if (count > 0) putBoxes(0, 0, 0, 0);
+    words[7]! |= count;
+    const nothing = count > 0 ? NODE_WORDS : 0;
+    floats.fill(NOWHERE, nothing, nothing + 3);
   }
   return buffer;
+
+  function putBoxes(at: number, node: number, first: number, second: number): void {
+    for (let axis = 0; axis < 3; axis++) {
+      const lower = bounds[6 * node + axis]!;
+      const exponent = exponentAbove((bounds[6 * node + 3 + axis]! - lower) / STEPS);
+      const step = 2 ** (exponent - 127);
+      floats[at + axis] = lower;
+      words[at + 4 + axis] = spanOf(first, axis, lower, step, 0) | (spanOf(second, axis, lower, step, 128) << 16);
+      words[at + 7]! |= exponent << (7 + 8 * axis);
+    }
+  }
+
+  /** Half size and middle. */
+  function spanOf(child: number, axis: number, origin: number, step: number, bias: number): number {
+    const from = (bounds[6 * child + axis]! - origin) / step;
+    const to = (bounds[6 * child + 3 + axis]! - origin) / step;
+    const middle = Math.round((from + to) / 2);
+    const half = Math.ceil(2 * Math.max(middle - from, to - middle) + MARGIN);
+    return half | (((middle - bias) & 0xff) << 8);
+  }
+}
+
+const float = new Float32Array(1);
+const bits = new Uint32Array(float.buffer);
+
+/** The exponent, as an f32 stores it, of the least power of two that is not below a value. */
+function exponentAbove(value: number): number {
+  float[0] = value;
+  return Math.max((bits[0]! + 0x7fffff) >>> 23, 1);
 }

@@ -5,12 +5,17 @@ import { ShaderStage } from "./flags";
 export type GeometryPart = keyof GeometryData;
 
 /** Where a part of the geometry is in the trace pass's group, and what a program must have to read it. */
-type Binding = { readonly binding: number; readonly feature: keyof Features; readonly isTexture?: boolean };
+type Binding = {
+  readonly binding: number;
+  readonly feature: keyof Features;
+  /** Texels in a row of what is a texture: whole records, and no more than every device has. */
+  readonly row?: number;
+};
 
 /** As `wgsl/tree.wgsl`, `mesh.wgsl`, `meshLights.wgsl` and `textures.wgsl` declare them. */
 export const GEOMETRY_BINDINGS: Readonly<Record<GeometryPart, Binding>> = {
-  nodes: { binding: 5, feature: "TREE", isTexture: true },
-  items: { binding: 6, feature: "TREE", isTexture: true },
+  nodes: { binding: 5, feature: "TREE", row: 4096 * 2 },
+  items: { binding: 6, feature: "TREE", row: 2048 * 3 },
   normals: { binding: 7, feature: "SMOOTH" },
   shiningTriangles: { binding: 8, feature: "MESH_LIGHTS" },
   uvs: { binding: 9, feature: "TEXTURES" },
@@ -21,9 +26,9 @@ export const GEOMETRY_BINDINGS: Readonly<Record<GeometryPart, Binding>> = {
 export function geometryLayout(features: Features): GPUBindGroupLayoutEntry[] {
   return Object.values(GEOMETRY_BINDINGS)
     .filter(({ feature }) => features[feature])
-    .map(({ binding, isTexture }) => ({
+    .map(({ binding, row }) => ({
       binding,
       visibility: ShaderStage.COMPUTE,
-      ...(isTexture ? { texture: { sampleType: "uint" } } : { buffer: { type: "read-only-storage" } }),
+      ...(row ? { texture: { sampleType: "uint" } } : { buffer: { type: "read-only-storage" } }),
     }));
 }

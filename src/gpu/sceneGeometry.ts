@@ -14,9 +14,9 @@ export class SceneGeometry {
     const data = Object.entries(geometry.data) as [GeometryPart, ArrayBuffer | undefined][];
     this.#resources = new Map(
       data.flatMap(([part, bytes]) => {
-        const { binding, isTexture } = GEOMETRY_BINDINGS[part];
+        const { binding, row } = GEOMETRY_BINDINGS[part];
         if (bytes === undefined) return [];
-        return [[binding, isTexture ? createTexels(device, part, bytes) : createBuffer(device, part, bytes)]];
+        return [[binding, row ? createTexels(device, part, bytes, row) : createBuffer(device, part, bytes)]];
       }),
     );
   }
@@ -44,26 +44,24 @@ function createBuffer(device: GPUDevice, label: string, bytes: ArrayBuffer): GPU
 }
 
 const TEXEL_BYTES = 16;
-/** Texels in a row, as `texel` in `wgsl/tree.wgsl` has it: every device's maxTextureDimension2D. */
-const ROW = 8192;
 
 /** Words, four in a texel, in rows. */
-function createTexels(device: GPUDevice, label: string, bytes: ArrayBuffer): GPUTexture {
+function createTexels(device: GPUDevice, label: string, bytes: ArrayBuffer, row: number): GPUTexture {
   const texels = bytes.byteLength / TEXEL_BYTES;
-  const fullRows = Math.floor(texels / ROW);
-  const rest = texels % ROW;
-  checkSize(label, bytes.byteLength, device.limits.maxTextureDimension2D * ROW * TEXEL_BYTES);
+  const fullRows = Math.floor(texels / row);
+  const rest = texels % row;
+  checkSize(label, bytes.byteLength, device.limits.maxTextureDimension2D * row * TEXEL_BYTES);
   const texture = device.createTexture({
     label,
-    size: [ROW, Math.max(fullRows + (rest > 0 ? 1 : 0), 1)],
+    size: [row, Math.max(fullRows + (rest > 0 ? 1 : 0), 1)],
     format: "rgba32uint",
     usage: TextureUsage.TEXTURE_BINDING | TextureUsage.COPY_DST,
   });
   const write = (y: number, width: number, height: number) => {
-    const layout = { offset: y * ROW * TEXEL_BYTES, bytesPerRow: ROW * TEXEL_BYTES };
+    const layout = { offset: y * row * TEXEL_BYTES, bytesPerRow: row * TEXEL_BYTES };
     device.queue.writeTexture({ texture, origin: [0, y] }, bytes, layout, [width, height]);
   };
-  if (fullRows > 0) write(0, ROW, fullRows);
+  if (fullRows > 0) write(0, row, fullRows);
   if (rest > 0) write(fullRows, rest, 1);
   return texture;
 }

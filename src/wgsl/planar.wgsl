@@ -31,24 +31,25 @@ fn planeIntersectZ(ray: Ray, z: f32) -> f32 {
 fn quadIntersect(ray: Ray, center: vec3f, normal: vec3f, dual1: vec3f, dual2: vec3f, reach: f32) -> f32 {
   let t = planeIntersect(ray, center, normal);
   let q = ray.o + t * ray.d - center;
-  return select(-1.0, t, max(abs(dot(q, dual1)), abs(dot(q, dual2))) <= 1.0 + RIM * reach * abs(t));
+  let most = 1.0 + RIM * reach * abs(t);
+  return select(-1.0, t, (abs(dot(q, dual1)) <= most) & (abs(dot(q, dual2)) <= most));
 }
 
 // Rectangles perpendicular to an axis, by centre and half size.
 fn quadIntersectX(ray: Ray, center: vec3f, halfSize: vec3f) -> f32 {
   let t = planeIntersectX(ray, center.x);
   let q = abs(ray.o.yz + t * ray.d.yz - center.yz);
-  return select(-1.0, t, max(q.x - halfSize.y, q.y - halfSize.z) <= RIM * abs(t));
+  return select(-1.0, t, all(q - halfSize.yz <= vec2f(RIM * abs(t))));
 }
 fn quadIntersectY(ray: Ray, center: vec3f, halfSize: vec3f) -> f32 {
   let t = planeIntersectY(ray, center.y);
   let q = abs(ray.o.xz + t * ray.d.xz - center.xz);
-  return select(-1.0, t, max(q.x - halfSize.x, q.y - halfSize.z) <= RIM * abs(t));
+  return select(-1.0, t, all(q - halfSize.xz <= vec2f(RIM * abs(t))));
 }
 fn quadIntersectZ(ray: Ray, center: vec3f, halfSize: vec3f) -> f32 {
   let t = planeIntersectZ(ray, center.z);
   let q = abs(ray.o.xy + t * ray.d.xy - center.xy);
-  return select(-1.0, t, max(q.x - halfSize.x, q.y - halfSize.y) <= RIM * abs(t));
+  return select(-1.0, t, all(q - halfSize.xy <= vec2f(RIM * abs(t))));
 }
 
 // The ray's own part of the triangle test: axes permuted so that z is its largest component, then sheared so that the
@@ -68,7 +69,7 @@ fn permute(v: vec3f, axis: u32) -> vec3f {
 
 fn shearOf(ray: Ray) -> Shear {
   let size = abs(ray.d);
-  let axis = select(select(2u, 1u, size.y > size.z), 0u, size.x > max(size.y, size.z));
+  let axis = select(select(2u, 1u, size.y > size.z), 0u, (size.x > size.y) & (size.x > size.z));
   let d = permute(ray.d, axis);
   return Shear(ray.o, axis, vec3f(d.x / d.z, d.y / d.z, 1.0 / d.z));
 }
@@ -87,7 +88,7 @@ fn triangleIntersect(shear: Shear, v0: vec3f, v1: vec3f, v2: vec3f) -> f32 {
   let v = pa.x * pc.y - pa.y * pc.x; // of the opposite sign
   let w = pa.x * pb.y - pa.y * pb.x;
   let determinant = u - v + w;
-  let inside = ((min(min(u, -v), w) >= 0.0) | (max(max(u, -v), w) <= 0.0)) & (determinant != 0.0);
+  let inside = (((u >= 0.0) & (v <= 0.0) & (w >= 0.0)) | ((u <= 0.0) & (v >= 0.0) & (w <= 0.0))) & (determinant != 0.0);
   let t = (u * a.z - v * b.z + w * c.z) * shear.s.z / select(1.0, determinant, determinant != 0.0);
   return select(-1.0, t, inside);
 }

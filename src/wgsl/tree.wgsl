@@ -2,10 +2,12 @@
 // boxes.
 //
 // Nodes and items are in textures: a software adapter loads a texel's four words for little more than one word of a buffer,
-// and graphics hardware has a cache for them.
+// and graphics hardware has a cache for them. It has no vector shifts either: bytes stay where they are, and what multiplies
+// them takes their place into account.
 //
 // [1] Aila, Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs"
 // [2] Ize 2013, "Robust BVH Ray Traversal", JCGT 2(2)
+// [3] Ylitie, Karras, Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs"
 import package::box::turnedBoxIntersect;
 import package::constants::FAR;
 import package::planar::{Shear, quadIntersect, shearOf, triangleIntersect};
@@ -13,9 +15,9 @@ import package::ray::{Hit, Ray, between, nearer};
 import package::sphere::sphereIntersect;
 import package::scene::{PRIMITIVES, STACK_SIZE};
 
-// Four texels each, rows of 8192; see compile/packTree.ts. Written by the renderer when the geometry changes.
+// Two texels each, rows of 4096 nodes; see compile/packTree.ts. Written by the renderer when the geometry changes.
 @group(0) @binding(5) var nodes: texture_2d<u32>;
-// Three texels each, rows of 8192, by slot; see compile/packItems.ts. Written by the renderer when the geometry changes.
+// Three texels each, rows of 2048 slots; see compile/packItems.ts. Written by the renderer when the geometry changes.
 @group(0) @binding(6) var items: texture_2d<u32>;
 
 // A triangle: its vertices, in the order of compile/rims.ts. A sphere: centre and, in w, radius. A quad: centre, dual vectors of
@@ -40,13 +42,14 @@ const BOX = 5u;
 
 // A link is the index of a node, or LEAF, how many items the leaf has and the slot of the first.
 const LEAF = 0x80000000u;
-const COUNT_SHIFT = 27u;
-const SLOT_MASK = 0x07ffffffu;
+const COUNT_SHIFT = 24u;
+const ONE_ITEM = 1u << COUNT_SHIFT;
+const SLOT_MASK = 0x00ffffffu;
 // A leaf of nothing: where every ray ends.
 const NOTHING = LEAF;
 
 // A box is met if the ray enters it before it leaves all its slabs, but for the rounding of these operations and of 1/d,
-// 2.5 ULP. [2]
+// 2.5 ULP. [2] What rounding moves a slab that lies near the ray's origin is less than boxes are larger than what they hold.
 const PADDING = 1.0000019;
 
 // Links that wait for their turn, `waiting` of them.
@@ -54,9 +57,10 @@ var<private> stack: array<u32, STACK_SIZE>;
 var<private> waiting: u32;
 
 fn itemAt(slot: u32) -> Item {
-  let a = texel(items, 3u * slot);
-  let b = texel(items, 3u * slot + 1u);
-  let c = texel(items, 3u * slot + 2u);
+  let at = vec2u(3u * (slot & 2047u), slot >> 11u);
+  let a = textureLoad(items, at, 0);
+  let b = textureLoad(items, at + vec2u(1u, 0u), 0);
+  let c = textureLoad(items, at + vec2u(2u, 0u), 0);
   return Item(bitcast<vec3f>(a.xyz), bitcast<vec3f>(b.xyz), bitcast<vec3f>(c.xyz), bitcast<f32>(c.w), a.w, b.w);
 }
 
@@ -69,10 +73,6 @@ fn itemIntersect(ray: Ray, shear: Shear, slot: u32, id: u32) -> f32 {
   @if(TREE_QUADS) t = select(t, quadIntersect(ray, item.a, cross(item.b, item.c), item.b, item.c, item.w), item.kind == QUAD);
   @if(TREE_BOXES) t = select(t, turnedBoxIntersect(ray, item.a, item.b, item.c.xy, id), item.kind == BOX);
   return t;
-}
-
-fn texel(texture: texture_2d<u32>, index: u32) -> vec4u {
-  return textureLoad(texture, vec2u(index & 8191u, index >> 13u), 0);
 }
 
 // The nearer of `found` and what the ray meets in the tree.
@@ -121,29 +121,57 @@ fn nextLeaf(ray: Ray, start: u32, limit: f32) -> u32 {
   var link = start;
   loop {
     if ((link & LEAF) != 0u) { break; }
-    let lower0 = texel(nodes, 4u * link);
-    let upper0 = texel(nodes, 4u * link + 1u);
-    let lower1 = texel(nodes, 4u * link + 2u);
-    let upper1 = texel(nodes, 4u * link + 3u);
-    let t0 = enter(ray, bitcast<vec3f>(lower0.xyz), bitcast<vec3f>(upper0.xyz), limit);
-    let t1 = enter(ray, bitcast<vec3f>(lower1.xyz), bitcast<vec3f>(upper1.xyz), limit);
+    let at = vec2u(2u * (link & 4095u), link >> 12u);
+    let node = textureLoad(nodes, at, 0);
+    let boxes = textureLoad(nodes, at + vec2u(1u, 0u), 0);
+
+    // Distances along the ray to the node's corner, and per step of its grid. [3] section 4.3
+    let corner = (bitcast<vec3f>(node.xyz) - ray.o) * ray.inverse;
+    let exponents = (vec3u(boxes.w) & vec3u(0x7f80u, 0x7f8000u, 0x7f800000u)) * vec3u(0x10000u, 0x100u, 1u);
+    let step = bitcast<vec3f>(exponents) * ray.inverse;
+    let halfStep = abs(0.5 * step);
+    let bytes = bitcast<vec3i>(boxes.xyz);
+    let half0 = vec3f(bytes & vec3i(0xff)) * halfStep;
+    let middle0 = vec3f(bytes & vec3i(0xff00)) * (0x1p-8 * step);
+    let half1 = vec3f(bytes & vec3i(0xff0000)) * (0x1p-16 * halfStep);
+    let middle1 = vec3f(bytes & vec3i(-0x1000000)) * (0x1p-24 * step) + 128.0 * step;
+    let t0 = enter(corner + middle0, half0, limit);
+    let t1 = enter(corner + middle1, half1, limit);
+
+    let count0 = boxes.w & 7u;
+    let count1 = boxes.w & 56u;
+    let isLeaf0 = count0 != 0u;
+    let leaf0 = LEAF | (count0 * ONE_ITEM) | node.w;
+    let leaf1 = LEAF | (count1 * (ONE_ITEM / 8u)) | (node.w + count0);
+    let link0 = select(link + 1u, leaf0, isLeaf0);
+    let link1 = select(select(node.w, link + 1u, isLeaf0), leaf1, count1 != 0u);
+
     let isFirst = t0 <= t1;
-    stack[waiting] = select(lower0.w, upper0.w, isFirst);
-    waiting += select(0u, 1u, max(t0, t1) < FAR);
-    link = nextWaiting(select(upper0.w, lower0.w, isFirst), min(t0, t1) >= FAR);
+    let meets0 = t0 < FAR;
+    let meets1 = t1 < FAR;
+    stack[waiting] = select(link0, link1, isFirst);
+    waiting += select(0u, 1u, meets0 & meets1);
+    link = nextWaiting(select(link1, link0, isFirst), !(meets0 | meets1));
   }
   return link;
 }
 
-// Distance at which a ray enters a box; FAR if it does not, or not before `limit`.
-fn enter(ray: Ray, lower: vec3f, upper: vec3f, limit: f32) -> f32 {
-  let toLower = (lower - ray.o) * ray.inverse;
-  let toUpper = (upper - ray.o) * ray.inverse;
-  let enters = min(toLower, toUpper);
-  let leaves = max(toLower, toUpper);
-  let near = max(max(enters.x, enters.y), max(enters.z, 0.0));
-  let far = min(min(leaves.x, leaves.y), leaves.z);
-  return select(FAR, near, (near <= far * PADDING) & (near <= limit * PADDING));
+// Distance at which a ray enters a box; FAR if it does not, or not before `limit`. The box by the distances to the middles of its
+// slabs and half their thickness along the ray.
+fn enter(middle: vec3f, half: vec3f, limit: f32) -> f32 {
+  let enters = middle - half;
+  let leaves = middle + half;
+  let near = greater(greater(enters.x, enters.y), greater(enters.z, 0.0));
+  let far = lesser(lesser(leaves.x, leaves.y), lesser(leaves.z, limit));
+  return select(FAR, near, near <= far * PADDING);
+}
+
+// min() and max() of numbers that are not NaN: a software adapter spends twenty instructions on that.
+fn lesser(a: f32, b: f32) -> f32 {
+  return select(b, a, a < b);
+}
+fn greater(a: f32, b: f32) -> f32 {
+  return select(b, a, a > b);
 }
 
 // The link itself or, where it leads nowhere, the last of those that wait.
