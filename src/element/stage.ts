@@ -1,3 +1,4 @@
+import { lossOf } from "../gpu/device";
 import type { View } from "../renderer/display";
 import { PathTracer } from "../renderer/pathTracer";
 import { DEFAULT_SETTINGS, type Settings } from "../renderer/settings";
@@ -9,7 +10,7 @@ import type { DeviceLostDetail, ProgressDetail, ReadyDetail } from "./events";
 import { LatestTask } from "./latestTask";
 import type { LoadProgressDetail, ReportProgress } from "./loadProgress";
 import type { EditedTracer, SceneEdits } from "./sceneEdits";
-import { type DeviceLease, isLost, leaseDevice } from "./sharedDevice";
+import { type DeviceLease, leaseDevice } from "./sharedDevice";
 
 /** Whom the stage tells what happens on it. */
 export type StageListener = {
@@ -201,7 +202,7 @@ export class Stage {
         const tracer = this.#view?.tracer;
         await (tracer ? tracer.setScene(scene, { onProgress }) : this.#open(scene, lease, signal, onProgress));
       } catch (error) {
-        if (signal.aborted || !(await isLost(lease.device))) throw error;
+        if (signal.aborted || !(await lossOf(lease.device))) throw error;
       }
       if (signal.aborted || this.#lease !== lease || this.#view === undefined) continue;
       this.#applyAll(this.#view);
@@ -256,7 +257,7 @@ export class Stage {
 
   async #onFailure(view: CanvasView, error: Error): Promise<void> {
     this.#failedView = view;
-    if ((await isLost(view.tracer.device)) || this.#view !== view) return;
+    if ((await lossOf(view.tracer.device)) || this.#view !== view) return;
     this.clear();
     this.#listener.onError(error);
   }
