@@ -1,6 +1,6 @@
 import { lossOf } from "../gpu/device";
 import type { View } from "../renderer/display";
-import { PathTracer } from "../renderer/pathTracer";
+import { PathTracer, type SceneOptions } from "../renderer/pathTracer";
 import { DEFAULT_SETTINGS, type Settings } from "../renderer/settings";
 import type { ResolvedCamera, Scene } from "../scene/schema";
 import { type CameraOrbit, placeOnOrbit } from "./cameraOrbit";
@@ -198,9 +198,10 @@ export class Stage {
       if (lease !== this.#lease) this.#hold(lease);
       report("compiling");
       const onProgress = (fraction: number) => (fraction < 1 ? report("building", fraction) : report("compiling"));
+      const options = { onProgress, signal };
       try {
-        const tracer = this.#view?.tracer;
-        await (tracer ? tracer.setScene(scene, { onProgress }) : this.#open(scene, lease, signal, onProgress));
+        const { tracer } = this;
+        await (tracer ? tracer.setScene(scene, options) : this.#open(scene, lease, options));
       } catch (error) {
         if (signal.aborted || !(await lossOf(lease.device))) throw error;
       }
@@ -220,12 +221,11 @@ export class Stage {
   async #open(
     scene: Scene,
     { device }: DeviceLease,
-    signal: AbortSignal,
-    onProgress: (fraction: number) => void,
+    options: SceneOptions & { readonly signal: AbortSignal },
   ): Promise<void> {
     const settings = this.#effectiveSettings();
-    const tracer = await PathTracer.create({ scene, ...this.#size, settings, device, onProgress });
-    if (signal.aborted || this.#lease?.device !== device) tracer.dispose();
+    const tracer = await PathTracer.create({ scene, ...this.#size, settings, device, ...options });
+    if (options.signal.aborted || this.#lease?.device !== device) tracer.dispose();
     else this.#view = new CanvasView(tracer, this.#canvas);
   }
 

@@ -37,6 +37,8 @@ export type PathTracerOptions = {
 export type SceneOptions = {
   /** Told which share of a scene's geometry is sorted, from 0 to 1, where there is much of it. */
   readonly onProgress?: (fraction: number) => void;
+  /** Ends the sorting, in a worker too; the promise is then rejected with its reason. A scene that was shown stays. */
+  readonly signal?: AbortSignal;
 };
 
 type SharedUniforms = Omit<FrameUniforms, "half" | "firstSample" | "sampleCount" | "firstRow" | "endRow">;
@@ -371,15 +373,16 @@ export class PathTracer {
     this.#overtake = new AbortController();
     const { signal } = this.#overtake;
     this.#pending = next;
-    const installing = this.#prepare(next.scene, { ...options, signal }).catch((error: unknown) => {
+    const either = AbortSignal.any([signal, options.signal ?? signal]);
+    const installing = this.#prepare(next.scene, { ...options, signal: either });
+    this.#installing = installing.catch(() => undefined); // for those who only wait
+    try {
+      await installing;
+    } catch (error) {
       if (!signal.aborted) throw error;
-    });
-    this.#installing = installing;
-    await installing.finally(() => {
-      if (signal.aborted) return;
-      this.#installing = undefined;
-      this.#pending = undefined;
-    });
+    } finally {
+      if (!signal.aborted) this.#installing = this.#pending = undefined;
+    }
   }
 
   /** In one go where nothing has to be sorted or compiled. */
