@@ -237,7 +237,8 @@ export class PathTracer {
     const shaping = ["maxBounces", "lightSamples", "estimator", "sampler", "seed", "constants"] as const;
     if (shaping.every((key) => before[key] === this.#settings[key])) return;
     this.#stale = true;
-    this.#install(this.#pending ?? { scene: this.#scene, camera: this.#camera }).catch(this.#fail);
+    // What is pending is compiled for the newest settings as it is.
+    if (!this.#pending) this.#install({ scene: this.#scene, camera: this.#camera }).catch(this.#fail);
   }
 
   /** Starts the accumulation anew. */
@@ -391,11 +392,13 @@ export class PathTracer {
     // Not even a turn of the event loop for scenes that have none.
     const geometry = needsGeometry(scene) ? await prepareGeometry(scene, { previous, ...options }) : undefined;
     options.signal.throwIfAborted();
-    const compiled = compileScene(scene, this.#settings, undefined, geometry?.source);
-    const isFitting = programKey(compiled) === this.#program.key;
-    const program = isFitting ? this.#program : await createProgram(this.device, compiled);
-    options.signal.throwIfAborted();
-    this.#show(this.#pending!, geometry, compiled, program);
+    let program = this.#program;
+    for (;;) {
+      const compiled = compileScene(scene, this.#settings, undefined, geometry?.source);
+      if (program.key === programKey(compiled)) return this.#show(this.#pending!, geometry, compiled, program);
+      program = await createProgram(this.device, compiled); // settings may change meanwhile
+      options.signal.throwIfAborted();
+    }
   }
 
   #show({ scene, camera }: Shown, geometry: Prepared | undefined, compiled: CompiledScene, program: Program): void {

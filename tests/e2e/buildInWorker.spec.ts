@@ -125,6 +125,27 @@ for (const shown of [undefined, "spheres.json"]) {
   });
 }
 
+test("a setting that changes while a worker builds leaves it at work", async ({ page }) => {
+  const workers = watchWorkers(page);
+  await serveMeshes(page, BIG);
+  await stallWorker(page);
+  const viewer = await openViewer(page, { src: "spheres.json" });
+  await viewer.evaluate((element, src) => element.setAttribute("src", src), `bumpy-${BIG}.json`);
+  await isStalled(viewer);
+  const isReady = await viewer.evaluate(async (element: RtViewerElement) => {
+    let isReady = false;
+    element.addEventListener("ready", () => {
+      isReady = true;
+    });
+    element.lightSamples = 3;
+    for (let frame = 0; frame < 10; frame++) await new Promise(requestAnimationFrame);
+    return isReady;
+  });
+  expect(isReady).toBe(false);
+  await isStalled(viewer);
+  expect(workers).toEqual(["start"]);
+});
+
 test("a worker that fails is said in the element, not waited for", async ({ page, expectedErrors }) => {
   expectedErrors.push(/out of luck/);
   await serveMeshes(page, BIG);
