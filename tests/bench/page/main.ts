@@ -1,11 +1,13 @@
 // What the harness calls in the page, as `globalThis.bench`.
 import type { Measure } from "../measurement";
 import { measureEstimates, measureFrames, measureOurs } from "../ours";
+import { measureBumpy } from "./bumpy";
 
 const functions = {
   measureOurs,
   measureEstimates,
   measureFrames,
+  measureBumpy,
   /** Loaded when it is called: rt-viewer's own figures are taken in a page that holds nothing else. */
   async measureThreeGpuPathTracer(...args: Parameters<Measure>) {
     const { measure } = await import("../rivals/threeGpuPathTracer/measure");
