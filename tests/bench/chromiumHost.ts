@@ -6,6 +6,7 @@ import { RtViewerError } from "../../src/errors";
 import { SOFTWARE_WEBGPU_FLAGS } from "../support/chromium";
 import type { Host, Measure } from "./measurement";
 import type { measureBumpy } from "./page/bumpy";
+import type { measureDrop } from "./page/drop";
 import type { PageBench } from "./page/main";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
@@ -17,6 +18,7 @@ export type ChromiumHost = Host & {
   readonly version: string;
   readonly threeGpuPathTracer: Measure;
   readonly bumpy: typeof measureBumpy;
+  readonly drop: typeof measureDrop;
   close(): Promise<void>;
 };
 
@@ -71,6 +73,7 @@ export async function openChromium(usesGpu: boolean): Promise<ChromiumHost> {
     frames: (scene, options) => call("measureFrames", scene, options),
     threeGpuPathTracer: (scene, options) => call("measureThreeGpuPathTracer", scene, options),
     bumpy: (...args) => call("measureBumpy", ...args),
+    drop: (triangles) => call("measureDrop", triangles),
     async close() {
       await browser.close();
       await server.close();

@@ -2,6 +2,7 @@
 import type { Measure } from "../measurement";
 import { measureEstimates, measureFrames, measureOurs } from "../ours";
 import { measureBumpy } from "./bumpy";
+import type { MeasuredDrop } from "./drop";
 
 const functions = {
   measureOurs,
@@ -12,6 +13,10 @@ const functions = {
   async measureThreeGpuPathTracer(...args: Parameters<Measure>) {
     const { measure } = await import("../rivals/threeGpuPathTracer/measure");
     return measure(...args);
+  },
+  async measureDrop(triangles: number): Promise<MeasuredDrop> {
+    const { measureDrop } = await import("./drop");
+    return measureDrop(triangles);
   },
 };
 
