@@ -48,9 +48,8 @@ export class Curtain {
   showProgress({ fraction }: LoadProgressDetail): void {
     this.#bar.hidden = false;
     this.#bar.classList.toggle("unknown", fraction === undefined);
-    this.#filled.style.transform = fraction === undefined ? "" : `scaleX(${Math.min(1, Math.max(0, fraction))})`;
-    if (fraction === undefined) this.#bar.removeAttribute("aria-valuenow");
-    else this.#bar.setAttribute("aria-valuenow", String(Math.round(100 * fraction)));
+    this.#filled.style.transform = fraction === undefined ? "" : `scaleX(${fraction})`;
+    this.#bar.ariaValueNow = fraction === undefined ? null : String(Math.round(100 * fraction));
   }
 
   hideProgress(): void {

@@ -18,7 +18,7 @@ const BrowserElement = (globalThis.HTMLElement ?? class {}) as new () => RtViewe
 
 /** The attributes of `<rt-viewer>` as properties. What they do is the business of the class that extends this one. */
 export class ReflectedElement extends BrowserElement {
-  /** The settings that have no attribute. */
+  /** For the settings that have no attribute. */
   #settings: Partial<Settings> = {};
 
   /** URL of a scene file, JSON or glTF, relative to the page. Attribute `src`. Overridden by the property `scene`. */
@@ -170,10 +170,8 @@ export class ReflectedElement extends BrowserElement {
     return settings as Settings;
   }
   set settings(changes: Partial<Settings>) {
-    const { maxBounces, samplesPerFrame, lightSamples, targetError, maxSamples, ...others } = changes;
-    const reflected = { maxBounces, samplesPerFrame, lightSamples, targetError, maxSamples };
-    this.#settings = { ...this.#settings, ...others };
-    for (const name of SETTING_NAMES) if (name in changes) this.#reflect(name, reflected[name]);
+    this.#settings = { ...this.#settings, ...changes };
+    for (const name of SETTING_NAMES) if (name in changes) this.#reflect(name, changes[name]);
     this.settingsChanged();
   }
 

@@ -13,6 +13,7 @@ import { describeError, missingWebGpu } from "./describeError";
 import { pickDetail, type RtViewerEventMap } from "./events";
 import { fetchScene } from "./fetchScene";
 import { LiveRegion } from "./liveRegion";
+import type { LoadProgressDetail } from "./loadProgress";
 import { MessageBox } from "./messageBox";
 import type { PanelHost, PanelSource } from "./panelHost";
 import type { PickingTarget } from "./picking";
@@ -98,10 +99,7 @@ export class RtViewerElement extends ReflectedElement {
       createKeyHelp(this.ownerDocument),
     );
     this.#stage = new Stage(this.#canvas, {
-      onLoadProgress: (detail) => {
-        this.#curtain.showProgress(detail);
-        this.#emit("loadprogress", detail);
-      },
+      onLoadProgress: (detail) => this.#onLoadProgress(detail),
       onScene: () => this.#onScene(),
       onReady: (detail) => {
         this.#curtain.open();
@@ -179,11 +177,17 @@ export class RtViewerElement extends ReflectedElement {
     this.#opening?.abort();
     const opening = new AbortController();
     this.#opening = opening;
-    const { readFiles } = await import("../loaders/readFiles");
-    const { scene, warnings } = await readFiles(files, opening.signal);
-    opening.signal.throwIfAborted();
-    this.scene = scene;
-    this.#warn(warnings);
+    this.#onLoadProgress({ phase: "fetching", fraction: undefined });
+    try {
+      const { readFiles } = await import("../loaders/readFiles");
+      const { scene, warnings } = await readFiles(files, opening.signal);
+      opening.signal.throwIfAborted();
+      this.scene = scene;
+      this.#warn(warnings);
+    } catch (error) {
+      if (!opening.signal.aborted) this.#curtain.hideProgress();
+      throw error;
+    }
   }
 
   /** Throws away what has been sampled and starts over. */
@@ -307,6 +311,11 @@ export class RtViewerElement extends ReflectedElement {
 
   #warn(warnings: readonly string[]): void {
     if (warnings.length > 0) this.#emit("loadwarnings", { warnings });
+  }
+
+  #onLoadProgress(detail: LoadProgressDetail): void {
+    this.#curtain.showProgress(detail);
+    this.#emit("loadprogress", detail);
   }
 
   #onScene(): void {

@@ -1,9 +1,7 @@
-import { requestDevice } from "../gpu/device";
+import { requestDevice, sleep } from "../gpu/device";
 
 // After the browser's GPU process has crashed there is no adapter until it is up again. Milliseconds between attempts.
 const RETRY_PAUSES_MS = [100, 300, 900, 2700];
-// Work on a lost device fails up to this many milliseconds before the device says that it is lost.
-const LOSS_NOTICE_MS = 100;
 
 type Shared = { readonly opening: Promise<GPUDevice>; userCount: number };
 
@@ -46,11 +44,6 @@ export async function leaseDevice(): Promise<DeviceLease> {
   }
 }
 
-/** Whether a failure on this device is due to its loss, which the device may tell a moment later. */
-export function isLost(device: GPUDevice): Promise<boolean> {
-  return Promise.race([device.lost.then(() => true), sleep(LOSS_NOTICE_MS).then(() => false)]);
-}
-
 function open(): Shared {
   const opening = hasLostOne ? requestPatiently() : requestDevice();
   const opened = { opening, userCount: 0 };
@@ -76,8 +69,4 @@ async function requestPatiently(): Promise<GPUDevice> {
     }
   }
   return requestDevice();
-}
-
-function sleep(ms: number): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve, ms));
 }

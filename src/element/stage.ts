@@ -1,5 +1,6 @@
+import { lossOf } from "../gpu/device";
 import type { View } from "../renderer/display";
-import { PathTracer } from "../renderer/pathTracer";
+import { PathTracer, type SceneOptions } from "../renderer/pathTracer";
 import { DEFAULT_SETTINGS, type Settings } from "../renderer/settings";
 import type { ResolvedCamera, Scene } from "../scene/schema";
 import { type CameraOrbit, placeOnOrbit } from "./cameraOrbit";
@@ -9,7 +10,7 @@ import type { DeviceLostDetail, ProgressDetail, ReadyDetail } from "./events";
 import { LatestTask } from "./latestTask";
 import type { LoadProgressDetail, ReportProgress } from "./loadProgress";
 import type { EditedTracer, SceneEdits } from "./sceneEdits";
-import { type DeviceLease, isLost, leaseDevice } from "./sharedDevice";
+import { type DeviceLease, leaseDevice } from "./sharedDevice";
 
 /** Whom the stage tells what happens on it. */
 export type StageListener = {
@@ -197,11 +198,12 @@ export class Stage {
       if (lease !== this.#lease) this.#hold(lease);
       report("compiling");
       const onProgress = (fraction: number) => (fraction < 1 ? report("building", fraction) : report("compiling"));
+      const options = { onProgress, signal };
       try {
-        const tracer = this.#view?.tracer;
-        await (tracer ? tracer.setScene(scene, { onProgress }) : this.#open(scene, lease, signal, onProgress));
+        const { tracer } = this;
+        await (tracer ? tracer.setScene(scene, options) : this.#open(scene, lease, options));
       } catch (error) {
-        if (signal.aborted || !(await isLost(lease.device))) throw error;
+        if (signal.aborted || !(await lossOf(lease.device))) throw error;
       }
       if (signal.aborted || this.#lease !== lease || this.#view === undefined) continue;
       this.#applyAll(this.#view);
@@ -219,12 +221,11 @@ export class Stage {
   async #open(
     scene: Scene,
     { device }: DeviceLease,
-    signal: AbortSignal,
-    onProgress: (fraction: number) => void,
+    options: SceneOptions & { readonly signal: AbortSignal },
   ): Promise<void> {
     const settings = this.#effectiveSettings();
-    const tracer = await PathTracer.create({ scene, ...this.#size, settings, device, onProgress });
-    if (signal.aborted || this.#lease?.device !== device) tracer.dispose();
+    const tracer = await PathTracer.create({ scene, ...this.#size, settings, device, ...options });
+    if (options.signal.aborted || this.#lease?.device !== device) tracer.dispose();
     else this.#view = new CanvasView(tracer, this.#canvas);
   }
 
@@ -256,7 +257,7 @@ export class Stage {
 
   async #onFailure(view: CanvasView, error: Error): Promise<void> {
     this.#failedView = view;
-    if ((await isLost(view.tracer.device)) || this.#view !== view) return;
+    if ((await lossOf(view.tracer.device)) || this.#view !== view) return;
     this.clear();
     this.#listener.onError(error);
   }

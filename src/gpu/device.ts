@@ -31,7 +31,17 @@ export function adapterName(device: GPUDevice): string {
   return [...new Set(parts)].join(" · ") || "unknown adapter";
 }
 
-/** What to throw when work fails because the device is lost. */
-export function lossError({ message }: GPUDeviceLostInfo): WebGpuError {
-  return new WebGpuError(`The GPU device was lost${message === "" ? "" : `: ${message}`}`);
+// Work on a lost device fails up to this many milliseconds before the device says that it is lost.
+const LOSS_NOTICE_MS = 100;
+
+/** What to throw when work on a device has failed: undefined if it is not for the device's loss, which may be told a moment later. */
+export function lossOf(device: GPUDevice): Promise<WebGpuError | undefined> {
+  const loss = device.lost.then(
+    ({ message }) => new WebGpuError(`The GPU device was lost${message === "" ? "" : `: ${message}`}`),
+  );
+  return Promise.race([loss, sleep(LOSS_NOTICE_MS)]);
+}
+
+export function sleep(ms: number): Promise<undefined> {
+  return new Promise((resolve) => setTimeout(resolve, ms));
 }

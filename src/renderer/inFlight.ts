@@ -1,10 +1,8 @@
-import { lossError } from "../gpu/device";
+import { lossOf, sleep } from "../gpu/device";
 import { Readback, type Report } from "../gpu/readback";
 
 // With a second submit waiting, the device does not idle until the next one is made.
 const MOST = 2;
-// Work on a lost device fails up to this many milliseconds before the device says that it is lost.
-const LOSS_NOTICE_MS = 100;
 
 /** The submits under way, each with a readback to report through. */
 export class InFlight {
@@ -50,8 +48,7 @@ export class InFlight {
     const reported = follow()
       .catch(async (error: unknown) => {
         if (this.#isDisposed) return;
-        const loss = await Promise.race([this.#device.lost.then(lossError), sleep(LOSS_NOTICE_MS)]);
-        throw loss ?? error;
+        throw (await lossOf(this.#device)) ?? error;
       })
       .finally(() => this.#reports.delete(readback));
     this.#reports.set(readback, reported);
@@ -72,8 +69,4 @@ export class InFlight {
     this.#isDisposed = true;
     for (const readback of this.#readbacks) readback.dispose();
   }
-}
-
-function sleep(ms: number): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve, ms));
 }

@@ -37,6 +37,8 @@ export type PathTracerOptions = {
 export type SceneOptions = {
   /** Told which share of a scene's geometry is sorted, from 0 to 1, where there is much of it. */
   readonly onProgress?: (fraction: number) => void;
+  /** Ends the sorting, in a worker too; the promise is then rejected with its reason. A scene that was shown stays. */
+  readonly signal?: AbortSignal;
 };
 
 type SharedUniforms = Omit<FrameUniforms, "half" | "firstSample" | "sampleCount" | "firstRow" | "endRow">;
@@ -235,7 +237,8 @@ export class PathTracer {
     const shaping = ["maxBounces", "lightSamples", "estimator", "sampler", "seed", "constants"] as const;
     if (shaping.every((key) => before[key] === this.#settings[key])) return;
     this.#stale = true;
-    this.#install(this.#pending ?? { scene: this.#scene, camera: this.#camera }).catch(this.#fail);
+    // What is pending is compiled for the newest settings as it is.
+    if (!this.#pending) this.#install({ scene: this.#scene, camera: this.#camera }).catch(this.#fail);
   }
 
   /** Starts the accumulation anew. */
@@ -371,15 +374,16 @@ export class PathTracer {
     this.#overtake = new AbortController();
     const { signal } = this.#overtake;
     this.#pending = next;
-    const installing = this.#prepare(next.scene, { ...options, signal }).catch((error: unknown) => {
+    const either = AbortSignal.any([signal, options.signal ?? signal]);
+    const installing = this.#prepare(next.scene, { ...options, signal: either });
+    this.#installing = installing.catch(() => undefined); // for those who only wait
+    try {
+      await installing;
+    } catch (error) {
       if (!signal.aborted) throw error;
-    });
-    this.#installing = installing;
-    await installing.finally(() => {
-      if (signal.aborted) return;
-      this.#installing = undefined;
-      this.#pending = undefined;
-    });
+    } finally {
+      if (!signal.aborted) this.#installing = this.#pending = undefined;
+    }
   }
 
   /** In one go where nothing has to be sorted or compiled. */
@@ -388,11 +392,13 @@ export class PathTracer {
     // Not even a turn of the event loop for scenes that have none.
     const geometry = needsGeometry(scene) ? await prepareGeometry(scene, { previous, ...options }) : undefined;
     options.signal.throwIfAborted();
-    const compiled = compileScene(scene, this.#settings, undefined, geometry?.source);
-    const isFitting = programKey(compiled) === this.#program.key;
-    const program = isFitting ? this.#program : await createProgram(this.device, compiled);
-    options.signal.throwIfAborted();
-    this.#show(this.#pending!, geometry, compiled, program);
+    let program = this.#program;
+    for (;;) {
+      const compiled = compileScene(scene, this.#settings, undefined, geometry?.source);
+      if (program.key === programKey(compiled)) return this.#show(this.#pending!, geometry, compiled, program);
+      program = await createProgram(this.device, compiled); // settings may change meanwhile
+      options.signal.throwIfAborted();
+    }
   }
 
   #show({ scene, camera }: Shown, geometry: Prepared | undefined, compiled: CompiledScene, program: Program): void {

@@ -5,6 +5,8 @@ import { findChromium } from "../../src/cli/chromium";
 import { RtViewerError } from "../../src/errors";
 import { SOFTWARE_WEBGPU_FLAGS } from "../support/chromium";
 import type { Host, Measure } from "./measurement";
+import type { measureBumpy } from "./page/bumpy";
+import type { measureDrop } from "./page/drop";
 import type { PageBench } from "./page/main";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
@@ -15,6 +17,8 @@ const LIMIT_MS = 20 * 60_000;
 export type ChromiumHost = Host & {
   readonly version: string;
   readonly threeGpuPathTracer: Measure;
+  readonly bumpy: typeof measureBumpy;
+  readonly drop: typeof measureDrop;
   close(): Promise<void>;
 };
 
@@ -68,6 +72,8 @@ export async function openChromium(usesGpu: boolean): Promise<ChromiumHost> {
     estimates: (scene, options) => call("measureEstimates", scene, options),
     frames: (scene, options) => call("measureFrames", scene, options),
     threeGpuPathTracer: (scene, options) => call("measureThreeGpuPathTracer", scene, options),
+    bumpy: (...args) => call("measureBumpy", ...args),
+    drop: (triangles) => call("measureDrop", triangles),
     async close() {
       await browser.close();
       await server.close();

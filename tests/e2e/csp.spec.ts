@@ -1,4 +1,6 @@
 import type { Page } from "@playwright/test";
+import { MIN_WORKER_PRIMITIVES } from "../../src/bvh/buildInWorker";
+import { bumpyScene } from "./support/bumpyScene";
 import { contrast, pictureOf } from "./support/picture";
 import { expect, test } from "./support/test";
 import { FIXTURE_URL } from "./support/urls";
@@ -59,3 +61,22 @@ test("the panel keeps to a strict content security policy too, and is styled", a
   await expect(viewer.locator(".tp-rotv")).toHaveCSS("border-radius", "8px");
   expect(await violationsOf(page)).toEqual([]);
 });
+
+for (const [what, policy, refusal] of [
+  ["forbids workers", `${POLICY}; worker-src 'none'`, /worker-src 'none'/],
+  ["wants trusted types", `${POLICY}; ${TRUSTED_TYPES}`, /requires 'TrustedScriptURL'/],
+] as const) {
+  test(`under a policy that ${what} the tree of a big mesh is built in the page`, async ({ page, expectedErrors }) => {
+    expectedErrors.push(refusal);
+    const workers: string[] = [];
+    page.on("worker", (worker) => workers.push(worker.url()));
+    await page.setViewportSize({ width: 320, height: 240 }); // there is no style sheet to make the viewer small
+    await page.route("**/bumpy.json", (route) => route.fulfill({ json: bumpyScene(2 * MIN_WORKER_PRIMITIVES) }));
+    await openStrictFixture(page, policy);
+    const viewer = await addViewer(page, { src: "bumpy.json" });
+    await waitForSamples(viewer, 1);
+    expect(contrast(await pictureOf(viewer))).toBeGreaterThan(20);
+    expect(workers).toEqual([]);
+    expect(await violationsOf(page)).toHaveLength(1); // there would have been a worker
+  });
+}

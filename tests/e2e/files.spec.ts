@@ -76,6 +76,30 @@ test("a dropped file that is broken says so, and leaves the picture and its samp
   expect(await viewer.evaluate((element: RtViewerElement) => element.stats!.samples)).toBe(before);
 });
 
+test("progress is told from the moment a file is dropped, and no more once it turns out to be broken", async ({
+  page,
+}) => {
+  const viewer = await openViewer(page, { src: "spheres.json", drop: "" });
+  const bar = viewer.getByRole("progressbar");
+  await viewer.evaluate((element: RtViewerElement) => {
+    const seen: string[] = [];
+    element.addEventListener("loadprogress", ({ detail }) => seen.push(detail.phase));
+    element.addEventListener("ready", () => seen.push("ready"));
+    Object.assign(globalThis, { seen });
+  });
+  const seen = () => page.evaluate(() => (globalThis as unknown as { seen: string[] }).seen.splice(0));
+  await drag(page, [binaryFile("triangle.glb", triangleFile())], "drop");
+  await expect.poll(() => objectsOf(page)).toContain("mesh");
+  await expect(bar).toBeHidden();
+  const phases = await seen();
+  expect(phases.filter((phase, index) => phase !== phases[index - 1])).toEqual(["fetching", "compiling", "ready"]);
+
+  await drag(page, [binaryFile("half.glb", triangleFile().subarray(0, 300))], "drop");
+  await expect(viewer.locator("[part=drop]")).toContainText("is cut off");
+  await expect(bar).toBeHidden();
+  expect(await seen()).toEqual(["fetching"]);
+});
+
 test("without the attribute a drop is the page's business", async ({ page }) => {
   const viewer = await openViewer(page, { src: "spheres.json" });
   const isTaken = await viewer.evaluate((element: RtViewerElement) => {

@@ -1,6 +1,7 @@
 // glTF files made by hand: valid ones to start from, which a test then bends.
 
 import type { Scene, SceneObject } from "../../src/scene/schema";
+import type { MeshData } from "./meshes";
 
 type Json = Record<string, unknown>;
 
@@ -87,6 +88,40 @@ export function triangleFile(change: (json: TriangleJson, packer: Packer) => voi
   };
   change(json, packer);
   return packer.file(json);
+}
+
+/** A file with one mesh, of any size: its arrays are not collected value by value. */
+export function meshFile({ positions, indices }: Pick<MeshData, "positions" | "indices">): Uint8Array {
+  const vertices = Float32Array.from(positions);
+  const corners = Uint32Array.from(indices);
+  const binary = new Uint8Array(vertices.byteLength + corners.byteLength);
+  binary.set(new Uint8Array(vertices.buffer));
+  binary.set(new Uint8Array(corners.buffer), vertices.byteLength);
+  const json = {
+    bufferViews: [
+      { buffer: 0, byteLength: vertices.byteLength },
+      { buffer: 0, byteOffset: vertices.byteLength, byteLength: corners.byteLength },
+    ],
+    accessors: [
+      { bufferView: 0, componentType: 5126, type: "VEC3", count: vertices.length / 3, ...rangeOf(vertices) },
+      { bufferView: 1, componentType: 5125, type: "SCALAR", count: corners.length },
+    ],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    nodes: [{ mesh: 0 }],
+    scenes: [{ nodes: [0] }],
+    scene: 0,
+  };
+  return glb(json, binary);
+}
+
+/** Least and most of each coordinate: an accessor of positions has to say so. */
+function rangeOf(vertices: Float32Array): { min: number[]; max: number[] } {
+  const [min, max] = [Array(3).fill(Number.POSITIVE_INFINITY), Array(3).fill(Number.NEGATIVE_INFINITY)];
+  for (const [i, value] of vertices.entries()) {
+    min[i % 3] = Math.min(min[i % 3], value);
+    max[i % 3] = Math.max(max[i % 3], value);
+  }
+  return { min, max };
 }
 
 // biome-ignore lint/suspicious/noExplicitAny: tests put anything in, right or wrong.

@@ -6,6 +6,7 @@ import type { Settings } from "../../../src/renderer/settings";
 import { box, sphere, sphereLight } from "../../../src/scene/builders";
 import type { Camera, Scene } from "../../../src/scene/schema";
 import { sceneOf } from "../../support/compiled";
+import { cube, meshObject } from "../../support/meshes";
 
 // Dawn's null backend: it validates and compiles everything and computes nothing, so there are no pictures here.
 let gpu: GPU; // kept: Dawn crashes when its instance is garbage-collected
@@ -26,6 +27,7 @@ const LIGHT = sphereLight({ position: [0, 3, 0], radius: 0.1, power: [1, 1, 1] }
 const BALL = sceneOf([sphere({ center: [0, 0, 0], radius: 1, material: "lambert" })], [LIGHT]);
 const BIGGER_BALL = sceneOf([sphere({ center: [0, 0, 0], radius: 2, material: "lambert" })], [LIGHT]);
 const CRATE = sceneOf([box({ center: [0, 0, 0], size: [1, 1, 1], material: "lambert" })], [LIGHT]);
+const CUBE = sceneOf([meshObject(cube(), "lambert")], [LIGHT]);
 const CAMERA: Camera = { position: [7, 7, 7] };
 
 function tracerOf(scene: Scene, settings: Partial<Settings> = {}): Promise<PathTracer> {
@@ -115,16 +117,18 @@ describe("programs", () => {
     tracer.dispose();
   });
 
-  test("settings that change while a scene compiles do not lose the scene", async () => {
-    const tracer = await tracerOf(BALL);
-    const shown = tracer.setScene(CRATE);
-    tracer.update({ lightSamples: 2 });
-    await shown;
-    await tracer.sample(1);
-    expect(kindOf(tracer)).toBe("box");
-    expect(tracer.stats.features).toContain("many light samples");
-    tracer.dispose();
-  });
+  test.each([CRATE, CUBE])(
+    "settings that change meanwhile are those a scene has when setScene resolves",
+    async (scene) => {
+      const tracer = await tracerOf(BALL);
+      const shown = tracer.setScene(scene);
+      tracer.update({ lightSamples: 2 });
+      await shown;
+      expect(kindOf(tracer)).toBe(scene.objects[0]!.type);
+      expect(tracer.stats.features).toContain("many light samples");
+      tracer.dispose();
+    },
+  );
 
   test("a camera set while a scene compiles is not replaced by the scene's own", async () => {
     const tracer = await tracerOf(BALL);
@@ -150,6 +154,28 @@ describe("programs", () => {
     await Promise.all([tracer.setScene(CRATE), tracer.setScene(BIGGER_BALL)]);
     expect(tracer.scene.objects[0]).toMatchObject({ type: "sphere", radius: 2 });
     tracer.dispose();
+  });
+
+  test("a scene whose signal is aborted is given up, and the old one goes on", async () => {
+    const tracer = await tracerOf(BALL);
+    const [reason, controller] = [new Error("no longer needed"), new AbortController()];
+    const shown = tracer.setScene(CRATE, { signal: controller.signal });
+    const sampled = tracer.sample(1);
+    controller.abort(reason);
+    await expect(shown).rejects.toBe(reason);
+    await sampled;
+    expect(kindOf(tracer)).toBe("sphere");
+    expect(tracer.stats.samples).toBe(1);
+    await tracer.setScene(CRATE);
+    expect(kindOf(tracer)).toBe("box");
+    tracer.dispose();
+  });
+
+  test("a tracer whose signal is aborted while its geometry is sorted is not made", async () => {
+    const [reason, controller] = [new Error("no longer needed"), new AbortController()];
+    const made = PathTracer.create({ scene: CUBE, width: 16, height: 16, device, signal: controller.signal });
+    controller.abort(reason);
+    await expect(made).rejects.toBe(reason);
   });
 
   test("a scene that is wrong is refused and the old one stays", async () => {
