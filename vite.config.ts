@@ -3,11 +3,11 @@ import { fileURLToPath } from "node:url";
 import { type BuildEnvironmentOptions, defineConfig, type Plugin } from "vite";
 
 /**
- * Ships shader modules, and the templates of generated ones, without their comments: a twelfth of what a page downloads. WGSL
- * has no strings to mistake for one. And the element's style without comments and indentation.
+ * Ships shader modules, the templates of generated ones, and the style of the element without comments and indentation: a
+ * twelfth of what a page downloads. WGSL has no strings to mistake for one.
  */
 export function leanShaders(): Plugin {
-  const lean = (text: string) => text.replaceAll(/\s*\/\/.*$/gm, "").replaceAll(/\n{2,}/g, "\n");
+  const lean = (text: string) => text.replaceAll(/\s*\/\/.*$/gm, "").replaceAll(/\n\s+/g, "\n");
   return {
     name: "lean-shaders",
     enforce: "pre",

@@ -3,6 +3,7 @@
 // [1] Kay, Kajiya 1986, "Ray Tracing Complex Scenes"
 // [2] Ize 2013, "Robust BVH Ray Traversal", JCGT 2(2)
 import package::constants::{INSIDE, NEAR};
+import package::order::{greater, lesser};
 import package::ray::{Ray, safeInverse};
 
 // Rounding of the slab distances can let a ray slip between two faces; widening the exit closes the gap. [2] eq. 4
@@ -22,11 +23,11 @@ fn turnedBoxIntersect(ray: Ray, center: vec3f, halfSize: vec3f, turn: vec2f, id:
 fn slabs(middle: vec3f, extent: vec3f, fromInside: bool) -> f32 {
   let enter = middle - extent;
   let leave = middle + extent;
-  let near = max(max(enter.x, enter.y), enter.z);
-  let far = min(min(leave.x, leave.y), leave.z);
+  let near = greater(greater(enter.x, enter.y), enter.z);
+  let far = lesser(lesser(leave.x, leave.y), leave.z);
   let t = select(-1.0, select(near, far, near <= 0.0), near <= far * SLAB_PADDING);
   // From its inner side a box is always left again, also from an edge that rounding puts outside of another face.
-  return select(t, max(far, NEAR), fromInside);
+  return select(t, greater(far, NEAR), fromInside);
 }
 
 // World to box: the inverse rotation.
@@ -47,7 +48,7 @@ fn boxNormal(ray: Ray, point: vec3f, center: vec3f, halfSize: vec3f, turn: vec2f
   let isInside = (ray.source == (id | INSIDE)) | all(abs(turnBack(ray.o - center, turn)) < halfSize);
   let leaving = turnBack(ray.d, turn) * local > vec3f(0.0);
   let size = select(vec3f(0.0), abs(local), leaving == vec3<bool>(isInside));
-  let x = size.x >= max(size.y, size.z);
+  let x = (size.x >= size.y) & (size.x >= size.z);
   let y = !x & (size.y >= size.z);
   return turnForth(sign(local) * vec3f(select(0.0, 1.0, x), select(0.0, 1.0, y), select(1.0, 0.0, x | y)), turn);
 }

@@ -8,6 +8,7 @@ import package::constants::INV_PI;
 import package::directions::{cosineHemisphere, uniformHemisphere};
 import package::fresnel::schlickWeight;
 import package::ggx::{ggxPdf, ggxSample, ggxVisibility, ggxD, schlickBeckmannVisibility};
+import package::order::{greater, lesser};
 
 // Directions closer to the surface count as below it: the square of the half vector's length may underflow.
 const LEAST_COSINE = 1e-18;
@@ -57,11 +58,11 @@ fn specularShare(bsdf: Bsdf, cosO: f32) -> f32 {
 
 // f·cos in rgb and the density of bsdfSample in a, mirrors aside.
 fn bsdfEval(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> vec4f {
-  @if(!SPECULAR) return vec4f(bsdf.diffuse, 1.0) * (max(wi.z, 0.0) * INV_PI);
+  @if(!SPECULAR) return vec4f(bsdf.diffuse, 1.0) * (greater(wi.z, 0.0) * INV_PI);
   @if(SPECULAR) {
     let wm = normalize(wo + wi);
     let w = schlickWeight(dot(wo, wm));
-    let lambert = max(wi.z, 0.0) * INV_PI;
+    let lambert = greater(wi.z, 0.0) * INV_PI;
     var value = vec4f(0.0);
     @if(DIFFUSE) {
       value = vec4f(
@@ -76,7 +77,7 @@ fn bsdfEval(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> vec4f {
       @if(MIRROR) value += select(vec4f(0.0), vec4f(F * glossy.x, bsdf.specularShare * glossy.y), bsdf.alpha > 0.0);
       @if(!MIRROR) value += vec4f(F * glossy.x, bsdf.specularShare * glossy.y);
     }
-    return select(vec4f(0.0), value, min(wo.z, wi.z) > LEAST_COSINE);
+    return select(vec4f(0.0), value, (wo.z > LEAST_COSINE) & (wi.z > LEAST_COSINE));
   }
 }
 
@@ -84,17 +85,17 @@ fn bsdfEval(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> vec4f {
 // of the ball is below the surface.
 @if(MANY_LIGHTS)
 fn bsdfExpect(bsdf: Bsdf, wo: vec3f, wi: vec3f, size: f32) -> f32 {
-  let cosI = saturate(wi.z + size);
+  let cosI = lesser(greater(wi.z + size, 0.0), 1.0);
   @if(!ROUGH) return cosI;
   @if(ROUGH) {
     // Microfacets turn by half the angle: the light widens their distribution. The least width keeps weights finite.
-    let alpha = sqrt(max(bsdf.alpha * bsdf.alpha + 0.25 * size * size, 1e-6));
+    let alpha = sqrt(greater(bsdf.alpha * bsdf.alpha + 0.25 * size * size, 1e-6));
     let h = wo + wi;
     let wm = select(vec3f(0.0, 0.0, 1.0), normalize(h), dot(h, h) > 1e-30);
-    var glossy = ggxD(wm, alpha) * ggxVisibility(max(wo.z, LEAST_COSINE), cosI, alpha);
+    var glossy = ggxD(wm, alpha) * ggxVisibility(greater(wo.z, LEAST_COSINE), cosI, alpha);
     @if(MIRROR) glossy = select(0.0, glossy, bsdf.alpha > 0.0); // light samples never find a mirror's direction
     // Even black metal reflects at grazing angles.
-    let specular = max(luminance(bsdf.F0), 0.01 * bsdf.f90);
+    let specular = greater(luminance(bsdf.F0), 0.01 * bsdf.f90);
     return cosI * (luminance(bsdf.diffuse) * INV_PI + specular * glossy);
   }
 }

@@ -1,4 +1,5 @@
 // Directions from points in [0, 1)². Local frame, z = n.
+import package::order::greater;
 
 // (cos φ, sin φ) for φ = 2π·turns, turns in [0, 1], to 8·2⁻²³. WGSL's own may be off by 2⁻¹¹, and are by 2e-4 on a software
 // adapter: directions would not be unit, and points not on their sphere.
@@ -19,11 +20,11 @@ fn cosineHemisphere(u: vec2f) -> vec3f {
 // Density 1 / 2π.
 fn uniformHemisphere(u: vec2f) -> vec3f {
   let z = 1.0 - u.x;
-  return vec3f(sqrt(max(1.0 - z * z, 0.0)) * circle(u.y), z);
+  return vec3f(sqrt(greater(1.0 - z * z, 0.0)) * circle(u.y), z);
 }
 
 // Density 1 / 4π.
 fn uniformSphere(u: vec2f) -> vec3f {
   let z = 1.0 - 2.0 * u.x;
-  return vec3f(sqrt(max(1.0 - z * z, 0.0)) * circle(u.y), z);
+  return vec3f(sqrt(greater(1.0 - z * z, 0.0)) * circle(u.y), z);
 }

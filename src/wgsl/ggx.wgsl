@@ -9,6 +9,7 @@
 // [4] Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"
 import package::constants::{PI};
 import package::directions::circle;
+import package::order::greater;
 
 // Density of microfacet normals, per steradian. [1] eq. 33, with 1 − cos² written as sin² so that it survives alpha → 0
 fn ggxD(wm: vec3f, alpha: f32) -> f32 {
@@ -19,7 +20,7 @@ fn ggxD(wm: vec3f, alpha: f32) -> f32 {
 
 // sqrt(alpha² + (1 − alpha²)·cos²) = cos·(1 + 2Λ), from which all Smith terms are made. [2] eq. 72
 fn ggxSlope(cosTheta: f32, alpha: f32) -> f32 {
-  let sin2 = max(1.0 - cosTheta * cosTheta, 0.0);
+  let sin2 = greater(1.0 - cosTheta * cosTheta, 0.0);
   return sqrt(cosTheta * cosTheta + alpha * alpha * sin2);
 }
 
@@ -43,6 +44,6 @@ fn ggxPdf(cosO: f32, wm: vec3f, alpha: f32) -> f32 {
 fn ggxSample(wo: vec3f, alpha: f32, u: vec2f) -> vec3f {
   let stretched = normalize(vec3f(alpha * wo.xy, wo.z));
   let z = (1.0 - u.y) * (1.0 + stretched.z) - stretched.z;
-  let cap = vec3f(sqrt(max(1.0 - z * z, 0.0)) * circle(u.x), z) + stretched;
-  return normalize(vec3f(alpha * cap.xy, max(cap.z, 1e-18)));
+  let cap = vec3f(sqrt(greater(1.0 - z * z, 0.0)) * circle(u.x), z) + stretched;
+  return normalize(vec3f(alpha * cap.xy, greater(cap.z, 1e-18)));
 }

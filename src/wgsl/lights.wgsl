@@ -8,6 +8,7 @@ import package::constants::{NONE, TWO_PI};
 import package::dimensions::LIGHT_TRIANGLE;
 import package::directions::{circle, uniformSphere};
 import package::frame::{frameAround, toLocal, toWorld};
+import package::order::{greater, lesser};
 import package::sampler::{Sampler, point};
 import package::scene::{chooseLight, lightAt, lightBoundOf, shapeOf};
 import package::meshLights::sampleMesh;
@@ -96,10 +97,10 @@ fn isKind(kind: u32, expected: u32) -> bool {
 @if(MANY_LIGHTS)
 fn lightShare(surface: Surface, bound: vec4f) -> f32 {
   let toLight = bound.xyz - surface.p;
-  let d2 = max(dot(toLight, toLight), 1e-20);
+  let d2 = greater(dot(toLight, toLight), 1e-20);
   let perDistance = inverseSqrt(d2);
   let size = bound.w * perDistance;
-  return bsdfExpect(surface.bsdf, surface.wo, toLocal(surface.frame, toLight * perDistance), size) / max(d2, bound.w * bound.w);
+  return bsdfExpect(surface.bsdf, surface.wo, toLocal(surface.frame, toLight * perDistance), size) / greater(d2, bound.w * bound.w);
 }
 
 // The same for a flat light that shines along `front`.
@@ -128,14 +129,14 @@ fn lightShareOf(id: u32, surface: Surface) -> f32 {
 fn sampleSphere(p: vec3f, center: vec3f, radius: f32, u: vec2f) -> LightSample {
   let toCenter = center - p;
   let d2 = dot(toCenter, toCenter);
-  let sin2Max = radius * radius / max(d2, 1e-36);
+  let sin2Max = radius * radius / greater(d2, 1e-36);
   if (sin2Max >= 1.0) { return LightSample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0, NONE, 0.0); }
   let oneMinusCos = u.x * coneOneMinusCos(sin2Max);
   let cosTheta = 1.0 - oneMinusCos;
   let sin2 = oneMinusCos * (1.0 + cosTheta);
   let d = sqrt(d2);
   let wi = normalize(toWorld(frameAround(toCenter / d), vec3f(sqrt(sin2) * circle(u.y), cosTheta)));
-  let distance = d * (cosTheta - sqrt(max(sin2Max - sin2, 0.0)));
+  let distance = d * (cosTheta - sqrt(greater(sin2Max - sin2, 0.0)));
   let solidAngle = TWO_PI * coneOneMinusCos(sin2Max);
   return LightSample(wi, distance, vec3f(solidAngle), 1.0 / solidAngle, NONE, 0.0);
 }
@@ -147,8 +148,8 @@ fn coneOneMinusCos(sin2Max: f32) -> f32 {
 // Density of sampleSphere towards any point of the sphere that p sees.
 fn sphereLightPdf(p: vec3f, center: vec3f, radius: f32) -> f32 {
   let toCenter = center - p;
-  let sin2Max = radius * radius / max(dot(toCenter, toCenter), 1e-36);
-  return select(0.0, 1.0 / (TWO_PI * coneOneMinusCos(min(sin2Max, 1.0))), sin2Max < 1.0);
+  let sin2Max = radius * radius / greater(dot(toCenter, toCenter), 1e-36);
+  return select(0.0, 1.0 / (TWO_PI * coneOneMinusCos(lesser(sin2Max, 1.0))), sin2Max < 1.0);
 }
 
 // The baseline's choice: uniform on the whole surface, half of which p cannot see. [1]
@@ -176,7 +177,7 @@ fn squareToTriangle(u: vec2f) -> vec2f {
 fn fromArea(p: vec3f, q: vec3f, n: vec3f, area: f32) -> LightSample {
   let toLight = q - p;
   let d2 = dot(toLight, toLight);
-  let d = sqrt(max(d2, 1e-36));
+  let d = sqrt(greater(d2, 1e-36));
   let wi = toLight / d;
   let cosLight = -dot(wi, n);
   if (cosLight <= 0.0 || d2 <= 1e-36) { return LightSample(wi, d, vec3f(0.0), 0.0, NONE, 0.0); }
@@ -187,7 +188,7 @@ fn fromArea(p: vec3f, q: vec3f, n: vec3f, area: f32) -> LightSample {
 @if(POINT_LIGHTS)
 fn samplePoint(p: vec3f, position: vec3f) -> LightSample {
   let toLight = position - p;
-  let d2 = max(dot(toLight, toLight), 1e-36);
+  let d2 = greater(dot(toLight, toLight), 1e-36);
   let d = sqrt(d2);
   return LightSample(toLight / d, d, vec3f(1.0 / d2), 0.0, NONE, 0.0);
 }

@@ -4,6 +4,7 @@
 // [2] Keller et al. 2017, "The Iray Light Transport Simulation and Rendering System", appendix A.3
 // [3] Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2)
 import package::constants::NONE;
+import package::order::{greater, lesser};
 import package::ray::Ray;
 import package::scene::factorsOf;
 import package::textures::{Factors, dataAt};
@@ -43,7 +44,7 @@ fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
   let edge1 = item.b - item.a;
   let edge2 = item.c - item.a;
   let edge3 = item.c - item.b;
-  let longest = sqrt(max(dot(edge1, edge1), max(dot(edge2, edge2), dot(edge3, edge3))));
+  let longest = sqrt(greater(dot(edge1, edge1), greater(dot(edge2, edge2), dot(edge3, edge3))));
   // In units of the longest edge, so that no product underflows.
   let e1 = edge1 / longest;
   let e2 = edge2 / longest;
@@ -54,11 +55,11 @@ fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
   // Barycentric coordinates of where the ray is, rid of its distance's rounding.
   let q = (ray.o + t * ray.d - item.a) / longest;
   let along = vec2f(dot(cross(q, e2), normal), dot(cross(e1, q), normal)) / twiceArea;
-  var weights = max(vec3f(1.0 - along.x - along.y, along), vec3f(0.0));
+  var weights = greater3(vec3f(1.0 - along.x - along.y, along), vec3f(0.0));
   weights /= weights.x + weights.y + weights.z;
-  let error = POINT_ERROR * max(max(abs(item.a), abs(item.b)), abs(item.c));
+  let error = POINT_ERROR * greater3(greater3(abs(item.a), abs(item.b)), abs(item.c));
   let toEdge = longest * twiceArea / 3.0;
-  weights = mix(weights, vec3f(1.0 / 3.0), min(4.0 * length(error) / toEdge, MAX_STEP));
+  weights = mix(weights, vec3f(1.0 / 3.0), lesser(4.0 * length(error) / toEdge, MAX_STEP));
 
   var found: MeshPoint;
   found.p = weights.x * item.a + weights.y * item.b + weights.z * item.c;
@@ -72,6 +73,10 @@ fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
     found.shading = select(shading, -shading, dot(shading, found.n) < 0.0);
   }
   return found;
+}
+
+fn greater3(a: vec3f, b: vec3f) -> vec3f {
+  return select(b, a, a > b);
 }
 
 @if(SMOOTH)
@@ -127,7 +132,7 @@ fn octahedral(packed: u32) -> vec3f {
 fn consistentNormal(shading: vec3f, n: vec3f, wo: vec3f) -> vec3f {
   let mirrored = reflect(-wo, shading);
   // What the mirror direction's cosine should be at least; less where the view itself is more grazing.
-  let least = min(0.01, 0.9 * dot(wo, n));
+  let least = lesser(0.01, 0.9 * dot(wo, n));
   let missing = least - dot(mirrored, n);
   let bent = normalize(wo + normalize(mirrored + missing * n));
   return select(shading, bent, missing > 0.0);

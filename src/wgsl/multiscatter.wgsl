@@ -5,6 +5,7 @@
 //
 // [1] Turquin 2019, "Practical multiple scattering compensation for microfacet models"
 // [2] Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2)
+import package::order::greater;
 
 // The share of light from above that a white microsurface, seen under cosTheta, does not reflect: 1 − E(cosTheta, alpha).
 //
@@ -13,13 +14,13 @@
 // E / (1 − loss) is in [0.9925, 1.0005] for all alpha <= 1 and cosTheta > 0. tests/gpu/bsdf/multiscatter.test.ts
 fn multiscatterLoss(cosTheta: f32, alpha: f32) -> f32 {
   let a2 = alpha * alpha;
-  let slope = sqrt(cosTheta * cosTheta + a2 * max(1.0 - cosTheta * cosTheta, 0.0));
+  let slope = sqrt(cosTheta * cosTheta + a2 * greater(1.0 - cosTheta * cosTheta, 0.0));
   let G1 = 2.0 * cosTheta / (cosTheta + slope); // [2] eq. 43, 72
   let powers = vec4f(1.0, G1, G1 * G1, G1 * G1 * G1);
   let numerator = vec4f(0.0366, 0.60388, -0.57955, -0.06241) + a2 * vec4f(2.31107, 0.43625, -3.65943, 1.26107);
   let denominator = vec4f(1.0, 3.48818, -5.56619, 1.31168) + a2 * (vec4f(-0.12477, 2.0529, -1.80205, 0.0)
     + a2 * (vec4f(0.28982, -0.04811, 0.0, 0.0) + a2 * vec4f(-0.09916, 0.0, 0.0, 0.0)));
-  return max(G1 * dot(powers, numerator) / dot(powers, denominator), 0.0);
+  return greater(G1 * dot(powers, numerator) / dot(powers, denominator), 0.0);
 }
 
 // What to multiply the lobe by: 1 + F0·(1 − E)/E. [1]

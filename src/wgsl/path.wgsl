@@ -9,6 +9,7 @@ import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::frame::{toLocal, toWorld};
 import package::lamps::inLampWindow;
 import package::lights::{lightShareOf, sampleLight, trianglePick};
+import package::order::{greater, lesser};
 import package::ray::makeRay;
 import package::sampler::{Sampler, independent, point, subsample};
 import package::scene::{closestHit, environment, occluded};
@@ -39,7 +40,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     let surface = surfaceAt(ray, hit);
     @if(EMISSION) {
       var lightPdf = lightSampleCount() * surface.lightPdf;
-      @if(MANY_LIGHTS) lightPdf *= lightShareOf(primitiveOf(hit.id), last) / max(totalWeight, 1e-36);
+      @if(MANY_LIGHTS) lightPdf *= lightShareOf(primitiveOf(hit.id), last) / greater(totalWeight, 1e-36);
       let weight = select(powerHeuristic(pdf, lightPdf), 1.0, pdf == 0.0);
       L += beta * surface.Le * select(weight, 0.0, pdf < 0.0);
     }
@@ -60,7 +61,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     beta *= next.weight;
     @if(SHADING_NORMALS) beta *= select(0.0, 1.0, dot(wi, surface.ng) > 0.0);
     pdf = next.pdf;
-    let survival = select(min(max(max(beta.r, beta.g), beta.b), 1.0), 1.0, depth < ROULETTE_DEPTH);
+    let survival = select(lesser(greater(greater(beta.r, beta.g), beta.b), 1.0), 1.0, depth < ROULETTE_DEPTH);
     if (choice.y >= survival || all(beta == vec3f(0.0))) { break; }
     beta /= survival;
     ray = makeRay(surface.p, wi, surface.source);
@@ -102,6 +103,6 @@ fn lightSampleCount() -> f32 {
 // Weight of a direction drawn with density `pdf` when another technique would have drawn it with density `other`.
 // [1] eq. 9.11 with β = 2, divided through so that no square overflows. `pdf` > 0.
 fn powerHeuristic(pdf: f32, other: f32) -> f32 {
-  let ratio = min(other / pdf, 1e9);
+  let ratio = lesser(other / pdf, 1e9);
   return 1.0 / (1.0 + ratio * ratio);
 }

@@ -6,6 +6,7 @@ import package::frame::{Frame, frameAround, toLocal};
 import package::lights::sphereLightPdf;
 import package::mesh::{MeshPoint, consistentNormal, meshPoint};
 import package::multiscatter::multiscatterGain;
+import package::order::greater;
 import package::ray::{Hit, Ray};
 import package::tree::{BOX, Item, TURNED_TRIANGLE, itemAt};
 import package::textures::{colorAt, dataAt};
@@ -171,7 +172,7 @@ fn bsdfOf(id: u32, cosO: f32, uv: vec2f) -> Bsdf {
 
 @if(EMISSION)
 fn lightPdf(density: f32, shape: vec4f, ray: Ray, t: f32, cosine: f32) -> f32 {
-  let flat = density * t * t / max(abs(cosine), 1e-18);
+  let flat = density * t * t / greater(abs(cosine), 1e-18);
   @if(SPHERE_EMITTERS) return select(flat, density * sphereLightPdf(ray.o, shape.xyz, shape.w), shape.w > 0.0);
   @if(!SPHERE_EMITTERS) return flat;
 }

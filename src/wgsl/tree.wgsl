@@ -13,6 +13,7 @@ import package::constants::FAR;
 import package::planar::{Shear, quadIntersect, shearOf, triangleIntersect};
 import package::ray::{Hit, Ray, between, nearer};
 import package::sphere::sphereIntersect;
+import package::order::{greater, lesser};
 import package::scene::{PRIMITIVES, STACK_SIZE};
 
 // Two texels each, rows of 4096 nodes; see compile/packTree.ts. Written by the renderer when the geometry changes.
@@ -164,14 +165,6 @@ fn enter(middle: vec3f, half: vec3f, limit: f32) -> f32 {
   let near = greater(greater(enters.x, enters.y), greater(enters.z, 0.0));
   let far = lesser(lesser(leaves.x, leaves.y), lesser(leaves.z, limit));
   return select(FAR, near, near <= far * PADDING);
-}
-
-// min() and max() of numbers that are not NaN: a software adapter spends twenty instructions on that.
-fn lesser(a: f32, b: f32) -> f32 {
-  return select(b, a, a < b);
-}
-fn greater(a: f32, b: f32) -> f32 {
-  return select(b, a, a > b);
 }
 
 // The link itself or, where it leads nowhere, the last of those that wait.
