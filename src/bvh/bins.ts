@@ -22,6 +22,8 @@ const FEW = 64;
 // A bin has the words of a box, then how many primitives its centroids stand for.
 const BIN_WORDS = 8;
 const COUNT_WORD = 6;
+// Across axes along which centroids span no more than this share of the widest span, no plane is looked for.
+export const NARROW = 1 / 2;
 const bins = new Int32Array(3 * MOST_BINS * BIN_WORDS);
 const upperCosts = new Float64Array(MOST_BINS);
 const lows = new Int32Array(3);
@@ -47,10 +49,10 @@ export function findBinnedSplit(
   split.axis = -1;
   split.range = 0;
   split.cost = Number.POSITIVE_INFINITY;
+  for (let axis = 0; axis < 3; axis++) split.range = Math.max(split.range, highs[axis]! - lows[axis]!);
   for (let axis = 0; axis < 3; axis++) {
     const range = highs[axis]! - lows[axis]!;
-    scales[axis] = range > 0 ? (perAxis * LAST_BIN) / range : 0;
-    if (range > split.range) split.range = range;
+    scales[axis] = range > NARROW * split.range ? (perAxis * LAST_BIN) / range : 0;
   }
   fillBins(slots, first, end, weighted, weight, perAxis);
   for (let axis = 0; axis < 3; axis++) {
@@ -129,48 +131,54 @@ function fillBins(
     const f = words[at + 5]!;
     const count = at < unweighted ? weight : 1;
     let difference = 0;
-    const inX = (((((a - d) | 0) - lowX) * scaleX) | 0) << 3;
-    difference = (a - bins[inX]!) | 0;
-    bins[inX]! += difference & (difference >> 31);
-    difference = (b - bins[inX + 1]!) | 0;
-    bins[inX + 1]! += difference & (difference >> 31);
-    difference = (c - bins[inX + 2]!) | 0;
-    bins[inX + 2]! += difference & (difference >> 31);
-    difference = (d - bins[inX + 3]!) | 0;
-    bins[inX + 3]! += difference & (difference >> 31);
-    difference = (e - bins[inX + 4]!) | 0;
-    bins[inX + 4]! += difference & (difference >> 31);
-    difference = (f - bins[inX + 5]!) | 0;
-    bins[inX + 5]! += difference & (difference >> 31);
-    bins[inX + COUNT_WORD]! += count;
-    const inY = (perAxis + (((((b - e) | 0) - lowY) * scaleY) | 0)) << 3;
-    difference = (a - bins[inY]!) | 0;
-    bins[inY]! += difference & (difference >> 31);
-    difference = (b - bins[inY + 1]!) | 0;
-    bins[inY + 1]! += difference & (difference >> 31);
-    difference = (c - bins[inY + 2]!) | 0;
-    bins[inY + 2]! += difference & (difference >> 31);
-    difference = (d - bins[inY + 3]!) | 0;
-    bins[inY + 3]! += difference & (difference >> 31);
-    difference = (e - bins[inY + 4]!) | 0;
-    bins[inY + 4]! += difference & (difference >> 31);
-    difference = (f - bins[inY + 5]!) | 0;
-    bins[inY + 5]! += difference & (difference >> 31);
-    bins[inY + COUNT_WORD]! += count;
-    const inZ = (2 * perAxis + (((((c - f) | 0) - lowZ) * scaleZ) | 0)) << 3;
-    difference = (a - bins[inZ]!) | 0;
-    bins[inZ]! += difference & (difference >> 31);
-    difference = (b - bins[inZ + 1]!) | 0;
-    bins[inZ + 1]! += difference & (difference >> 31);
-    difference = (c - bins[inZ + 2]!) | 0;
-    bins[inZ + 2]! += difference & (difference >> 31);
-    difference = (d - bins[inZ + 3]!) | 0;
-    bins[inZ + 3]! += difference & (difference >> 31);
-    difference = (e - bins[inZ + 4]!) | 0;
-    bins[inZ + 4]! += difference & (difference >> 31);
-    difference = (f - bins[inZ + 5]!) | 0;
-    bins[inZ + 5]! += difference & (difference >> 31);
-    bins[inZ + COUNT_WORD]! += count;
+    if (scaleX > 0) {
+      const inX = (((((a - d) | 0) - lowX) * scaleX) | 0) << 3;
+      difference = (a - bins[inX]!) | 0;
+      bins[inX]! += difference & (difference >> 31);
+      difference = (b - bins[inX + 1]!) | 0;
+      bins[inX + 1]! += difference & (difference >> 31);
+      difference = (c - bins[inX + 2]!) | 0;
+      bins[inX + 2]! += difference & (difference >> 31);
+      difference = (d - bins[inX + 3]!) | 0;
+      bins[inX + 3]! += difference & (difference >> 31);
+      difference = (e - bins[inX + 4]!) | 0;
+      bins[inX + 4]! += difference & (difference >> 31);
+      difference = (f - bins[inX + 5]!) | 0;
+      bins[inX + 5]! += difference & (difference >> 31);
+      bins[inX + COUNT_WORD]! += count;
+    }
+    if (scaleY > 0) {
+      const inY = (perAxis + (((((b - e) | 0) - lowY) * scaleY) | 0)) << 3;
+      difference = (a - bins[inY]!) | 0;
+      bins[inY]! += difference & (difference >> 31);
+      difference = (b - bins[inY + 1]!) | 0;
+      bins[inY + 1]! += difference & (difference >> 31);
+      difference = (c - bins[inY + 2]!) | 0;
+      bins[inY + 2]! += difference & (difference >> 31);
+      difference = (d - bins[inY + 3]!) | 0;
+      bins[inY + 3]! += difference & (difference >> 31);
+      difference = (e - bins[inY + 4]!) | 0;
+      bins[inY + 4]! += difference & (difference >> 31);
+      difference = (f - bins[inY + 5]!) | 0;
+      bins[inY + 5]! += difference & (difference >> 31);
+      bins[inY + COUNT_WORD]! += count;
+    }
+    if (scaleZ > 0) {
+      const inZ = (2 * perAxis + (((((c - f) | 0) - lowZ) * scaleZ) | 0)) << 3;
+      difference = (a - bins[inZ]!) | 0;
+      bins[inZ]! += difference & (difference >> 31);
+      difference = (b - bins[inZ + 1]!) | 0;
+      bins[inZ + 1]! += difference & (difference >> 31);
+      difference = (c - bins[inZ + 2]!) | 0;
+      bins[inZ + 2]! += difference & (difference >> 31);
+      difference = (d - bins[inZ + 3]!) | 0;
+      bins[inZ + 3]! += difference & (difference >> 31);
+      difference = (e - bins[inZ + 4]!) | 0;
+      bins[inZ + 4]! += difference & (difference >> 31);
+      difference = (f - bins[inZ + 5]!) | 0;
+      bins[inZ + 5]! += difference & (difference >> 31);
+      bins[inZ + COUNT_WORD]! += count;
+    }
   }
 }
 

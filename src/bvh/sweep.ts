@@ -1,3 +1,4 @@
+import { NARROW } from "./bins";
 import { INTERSECTION_COST, TRAVERSAL_COST } from "./sahCost";
 import { GRID, type Slots, WORDS } from "./slots";
 
@@ -5,7 +6,7 @@ import { GRID, type Slots, WORDS } from "./slots";
 export const MOST_SWEPT = 16;
 
 const LARGEST = GRID;
-const [INTERSECTION, TRAVERSAL] = [INTERSECTION_COST, TRAVERSAL_COST];
+const [INTERSECTION, TRAVERSAL, SHARE] = [INTERSECTION_COST, TRAVERSAL_COST, NARROW];
 // Per axis, the primitives in rising order of their centroids.
 const sorted = new Uint8Array(3 * MOST_SWEPT);
 const centroids = new Int32Array(MOST_SWEPT);
@@ -40,9 +41,13 @@ export function sweep(
   let bestAxis = 0;
   let bestLower = 0;
   let difference = 0;
+  const rangeX = sort(words, base, count, 0);
+  const rangeY = sort(words, base + 1, count, 16);
+  const rangeZ = sort(words, base + 2, count, 32);
+  const least = SHARE * Math.max(rangeX, rangeY, rangeZ);
   for (let axis = 0; axis < 3; axis++) {
     const row = axis * 16;
-    sort(words, base + axis, count, row);
+    if ((axis === 0 ? rangeX : axis === 1 ? rangeY : rangeZ) < least) continue;
     let a = LARGEST;
     let b = LARGEST;
     let c = LARGEST;
@@ -137,7 +142,7 @@ function measure(words: Int32Array, base: number, count: number): void {
  *
  * @param start - the word of the first box's lower bound along the axis.
  */
-function sort(words: Int32Array, start: number, count: number, row: number): void {
+function sort(words: Int32Array, start: number, count: number, row: number): number {
   for (let i = 0; i < count; i++) {
     const centroid = (words[start + 8 * i]! - words[start + 8 * i + 3]!) | 0;
     let rank = i;
@@ -150,6 +155,7 @@ function sort(words: Int32Array, start: number, count: number, row: number): voi
     ranks[i] = rank;
   }
   for (let i = 0; i < count; i++) sorted[row + ranks[i]!] = i;
+  return centroids[sorted[row + count - 1]!]! - centroids[sorted[row]!]!;
 }
 
 function copySorted(source: Float64Array, target: Float64Array, first: number, count: number, row: number): void {
