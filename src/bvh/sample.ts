@@ -6,8 +6,11 @@ export const SAMPLE = 512;
 // A primitive as large as two bins, or this far outside of where the sample lies, is not left to chance: a few huge or far ones
 // decide what boxes cost. This share is of the range of doubled centroids.
 const NOTABLE = 1 / 16;
-// Where the largest primitive is this much smaller than a notable one, that is not looked for in children and their children.
-const CALM = 1 / 2;
+// A node's children's children's children are half as wide, or nearly: as often as a notable size can be halved and is still larger
+// than all primitives, so many times three levels need not look for notable ones; one less, to be sure. Of those that lie far out
+// only so many, as the next ones may have others.
+const LEVELS_PER_HALF = 3;
+const LEVELS_WITH_FAR_ONES = 2;
 
 export type Sample = {
   /** Primitives that each stand for `weight` of them. They come first. */
@@ -88,7 +91,9 @@ export function chooseSample(
     next += 4;
   }
   sample.notable = next / 4 - first - sample.others;
-  if (largest < limit * CALM) sample.calmLevels = 2;
+  const halvings = Math.max(Math.floor(Math.log2(limit / Math.max(largest, 1))), 0);
+  const most = sample.notable > 0 ? LEVELS_WITH_FAR_ONES : Number.POSITIVE_INFINITY;
+  sample.calmLevels = Math.min(Math.max(LEVELS_PER_HALF * halvings - 1, 0), most);
 }
 
 /** Closes ranks over the primitives above a size. @returns the slot after the last of those left. */
