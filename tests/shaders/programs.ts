@@ -2,27 +2,13 @@ import { afterAll, describe, expect, test } from "vitest";
 import { compileScene } from "../../src/compile/compileScene";
 import type { ProgramSettings } from "../../src/compile/features";
 import { prepareGeometry } from "../../src/compile/geometry";
-import { linkModule, linkProgram } from "../../src/compile/linkProgram";
+import { linkProgram } from "../../src/compile/linkProgram";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Light, Material, Scene, SceneObject } from "../../src/scene/schema";
 import { loadReference, REFERENCE_NAMES } from "../support/reference";
 import { diagnose, diagnosePipeline, releaseTint } from "../support/tint";
 
-afterAll(() => releaseTint());
-
-const SETTINGS: readonly ProgramSettings[] = (["path", "uniform"] as const).flatMap((estimator) =>
-  (["sobol", "independent"] as const).flatMap((sampler) =>
-    [1, 4].map((lightSamples) => ({ estimator, sampler, lightSamples })),
-  ),
-);
-
-describe.each(SETTINGS)("$estimator estimator, $sampler points, $lightSamples light samples", (settings) => {
-  test.each(REFERENCE_NAMES)("%s compiles without a warning", async (name) => {
-    await expectGood(loadReference(name).scene, settings);
-  });
-});
-
-const PRIMITIVES: Readonly<Record<string, SceneObject>> = {
+export const PRIMITIVES: Readonly<Record<string, SceneObject>> = {
   "a sphere": { type: "sphere", center: [0, 1, 0], radius: 1, material: "m" },
   "a level plane": { type: "plane", point: [0, 0, 0], normal: [0, 1, 0], material: "m" },
   "an upright plane": { type: "plane", point: [0, 0, -1], normal: [0, 0, 2], material: "m" },
@@ -69,7 +55,7 @@ const MATERIALS: Readonly<Record<string, Material>> = {
   "glowing mirror": { metallic: 1, roughness: 0, emission: [1, 1, 1] },
 };
 
-const LIGHTS: Readonly<Record<string, Light[]>> = {
+export const LIGHTS: Readonly<Record<string, Light[]>> = {
   "no light": [],
   "a point light": [{ type: "point", position: [0, 3, 0], power: [1, 1, 1] }],
   "a sphere light": [{ type: "sphere", position: [0, 3, 0], radius: 0.1, power: [1, 1, 1] }],
@@ -80,12 +66,28 @@ const LIGHTS: Readonly<Record<string, Light[]>> = {
   ],
 };
 
-const ESTIMATORS: readonly ProgramSettings[] = [
-  { estimator: "path", sampler: "sobol", lightSamples: 1 },
-  { estimator: "uniform", sampler: "independent", lightSamples: 2 },
-];
+const TEXTURE = { width: 1, height: 1, texels: [200, 100, 150, 255] } as const;
+const TEXTURES = {
+  baseColorTexture: "t",
+  metallicRoughnessTexture: "t",
+  emissionTexture: "t",
+  normalTexture: "t",
+} as const;
 
-describe.each(ESTIMATORS)("$estimator estimator", (settings) => {
+/** Compiles what an estimator makes of scenes of every kind: a file of tests for each, so that they run side by side. */
+export function describePrograms(settings: ProgramSettings): void {
+  afterAll(() => releaseTint());
+
+  describe.each(
+    (["sobol", "independent"] as const).flatMap((sampler) =>
+      [1, 4].map((lightSamples): ProgramSettings => ({ ...settings, sampler, lightSamples })),
+    ),
+  )("$sampler points, $lightSamples light samples", (each) => {
+    test.each(REFERENCE_NAMES)("%s compiles without a warning", async (name) => {
+      await expectGood(loadReference(name).scene, each);
+    });
+  });
+
   describe.each(Object.keys(PRIMITIVES))("%s", (primitive) => {
     test.each(Object.keys(MATERIALS))("of %s compiles without a warning, whatever the light", async (material) => {
       for (const lights of Object.values(LIGHTS)) {
@@ -116,60 +118,29 @@ describe.each(ESTIMATORS)("$estimator estimator", (settings) => {
       await expectGood(sceneOf(objects, { a: MATERIALS[first]!, b: second }, [], [1, 1, 1]), settings);
     }
   });
-});
 
-const TEXTURE = { width: 1, height: 1, texels: [200, 100, 150, 255] } as const;
-const TEXTURES = {
-  baseColorTexture: "t",
-  metallicRoughnessTexture: "t",
-  emissionTexture: "t",
-  normalTexture: "t",
-} as const;
-
-describe.each(ESTIMATORS)("$estimator estimator, a mesh", (settings) => {
-  test.each(Object.keys(MATERIALS))("of %s compiles without a warning, faceted, smooth and textured", async (name) => {
-    const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
-    const mesh = { type: "mesh", positions, indices: [0, 1, 2], material: "m" } as const;
-    const textured = { ...mesh, uvs: [0, 0, 1, 0, 0, 1] };
-    for (const object of [mesh, { ...mesh, normals: positions }, textured, { ...textured, normals: positions }]) {
-      const material = { ...MATERIALS[name]!, ...("uvs" in object && TEXTURES) };
-      const scene = sceneOf(
-        [object, PRIMITIVES["a sphere"]!],
-        { m: material, n: {} },
-        LIGHTS["lights of both kinds"]!,
-        [1, 1, 1],
-      );
-      const objects = scene.objects.map((each, i) => (i === 1 ? { ...each, material: "n" } : each));
-      await expectGood({ ...scene, objects, textures: { t: TEXTURE } }, settings);
-    }
-  });
-});
-
-test.each(Object.keys(PRIMITIVES))(
-  "what picks %s compiles without a warning, and so does what picks all or nothing",
-  async (name) => {
-    for (const objects of [[PRIMITIVES[name]!], Object.values(PRIMITIVES), []]) {
-      for (const lights of [LIGHTS["no light"]!, LIGHTS["lights of both kinds"]!]) {
-        const scene = parseScene(sceneOf(objects, { m: {} }, lights, [1, 1, 1]));
-        const { sceneModule, features } = compileScene(scene, ESTIMATORS[0]!);
-        const wgsl = await linkProgram(sceneModule, features, "pick");
-        expect(await diagnose(wgsl)).toEqual([]);
-        expect(await diagnosePipeline(wgsl, "pick")).toEqual([]);
+  test.each(Object.keys(MATERIALS))(
+    "a mesh of %s compiles without a warning, faceted, smooth and textured",
+    async (name) => {
+      const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+      const mesh = { type: "mesh", positions, indices: [0, 1, 2], material: "m" } as const;
+      const textured = { ...mesh, uvs: [0, 0, 1, 0, 0, 1] };
+      for (const object of [mesh, { ...mesh, normals: positions }, textured, { ...textured, normals: positions }]) {
+        const material = { ...MATERIALS[name]!, ...("uvs" in object && TEXTURES) };
+        const scene = sceneOf(
+          [object, PRIMITIVES["a sphere"]!],
+          { m: material, n: {} },
+          LIGHTS["lights of both kinds"]!,
+          [1, 1, 1],
+        );
+        const objects = scene.objects.map((each, i) => (i === 1 ? { ...each, material: "n" } : each));
+        await expectGood({ ...scene, objects, textures: { t: TEXTURE } }, settings);
       }
-    }
-  },
-);
+    },
+  );
+}
 
-test.each(["blit", "error"])("the module %s compiles without a warning", async (name) => {
-  expect(await diagnose(await linkModule(name))).toEqual([]);
-});
-
-test("what does not compile is told with its line", async () => {
-  const messages = await diagnose("fn a() -> f32 {\n  return 1u;\n}\n");
-  expect(messages.join("\n")).toMatch(/2:3 error: .*\n {4}return 1u;/);
-});
-
-function sceneOf(
+export function sceneOf(
   objects: readonly SceneObject[],
   materials: Readonly<Record<string, Material>>,
   lights: readonly Light[],

@@ -1,0 +1,3 @@
+import { describePrograms } from "./programs";
+
+describePrograms({ estimator: "path", sampler: "sobol", lightSamples: 1 });

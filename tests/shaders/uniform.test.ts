@@ -1,0 +1,3 @@
+import { describePrograms } from "./programs";
+
+describePrograms({ estimator: "uniform", sampler: "independent", lightSamples: 2 });
