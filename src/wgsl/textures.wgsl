@@ -1,6 +1,7 @@
 // Textures of meshes, filtered here: texels are in one buffer, so that pictures of any size and number need one binding, and
 // nothing is scaled. Level 0 only: a pixel's samples filter it.
 import package::constants::NONE;
+import package::order::{greater, lesser};
 import package::scene::{factorsOf, textureOf};
 
 // Red, green, blue, alpha of all textures, a byte each from the lowest on; rows from the top. Written by the renderer when the
@@ -34,50 +35,59 @@ struct Factors {
   normalTexture: u32,
 }
 
+// Four texels around a point, left and right of it in the upper and then in the lower row, and how far it is from the first.
+struct Footprint {
+  texels: vec4u,
+  share: vec2f,
+}
+
 // A colour, from sRGB.
 @if(TEXTURES)
 fn colorAt(texture: u32, uv: vec2f) -> vec3f {
   if (texture == NONE) { return vec3f(1.0); }
-  return filtered(textureOf(texture), uv, true);
+  let f = footprint(textureOf(texture), uv);
+  let upper = mix(linearOf(valueOf(f.texels.x)), linearOf(valueOf(f.texels.y)), f.share.x);
+  let lower = mix(linearOf(valueOf(f.texels.z)), linearOf(valueOf(f.texels.w)), f.share.x);
+  return mix(upper, lower, f.share.y);
 }
 
 // Data, as it is.
 @if(TEXTURES)
 fn dataAt(texture: u32, uv: vec2f) -> vec3f {
   if (texture == NONE) { return vec3f(1.0); }
-  return filtered(textureOf(texture), uv, false);
+  let f = footprint(textureOf(texture), uv);
+  let upper = mix(valueOf(f.texels.x), valueOf(f.texels.y), f.share.x);
+  let lower = mix(valueOf(f.texels.z), valueOf(f.texels.w), f.share.x);
+  return mix(upper, lower, f.share.y);
 }
 
 @if(TEXTURES)
-fn filtered(texture: Texture, uv: vec2f, isColor: bool) -> vec3f {
+fn footprint(texture: Texture, uv: vec2f) -> Footprint {
   let size = vec2f(texture.place.xy);
   let place = vec2f(fold(uv.x, texture.wrapU), fold(uv.y, texture.wrapV)) * size - 0.5;
   let corner = floor(select(place, place + 0.5, texture.nearest == 1u));
   let share = select(place - corner, vec2f(0.0), texture.nearest == 1u);
-  let x = vec2u(column(corner.x, texture.place.x, texture.wrapU), column(corner.x + 1.0, texture.place.x, texture.wrapU));
-  let y = vec2u(column(corner.y, texture.place.y, texture.wrapV), column(corner.y + 1.0, texture.place.y, texture.wrapV));
+  let x = vec2u(column(corner.x, size.x, texture.wrapU), column(corner.x + 1.0, size.x, texture.wrapU));
+  let y = vec2u(column(corner.y, size.y, texture.wrapV), column(corner.y + 1.0, size.y, texture.wrapV));
   let rows = texture.place.z + y * texture.place.x;
-  let upper = mix(valueOf(texels[rows.x + x.x], isColor), valueOf(texels[rows.x + x.y], isColor), share.x);
-  let lower = mix(valueOf(texels[rows.y + x.x], isColor), valueOf(texels[rows.y + x.y], isColor), share.x);
-  return mix(upper, lower, share.y);
+  return Footprint(vec4u(texels[rows.x + x.x], texels[rows.x + x.y], texels[rows.y + x.x], texels[rows.y + x.y]), share);
 }
 
 // A texture coordinate within 0…1.
 fn fold(u: f32, wrap: u32) -> f32 {
   let mirrored = 1.0 - abs(2.0 * fract(0.5 * u) - 1.0);
-  return select(select(saturate(u), mirrored, wrap == WRAP_MIRROR), fract(u), wrap == WRAP_REPEAT);
+  return select(select(lesser(greater(u, 0.0), 1.0), mirrored, wrap == WRAP_MIRROR), fract(u), wrap == WRAP_REPEAT);
 }
 
-// A column or row, of which one past either end may be asked for.
-fn column(i: f32, count: u32, wrap: u32) -> u32 {
-  let last = f32(count) - 1.0;
-  let other = select(select(i, 0.0, i > last), last, i < 0.0);
-  return u32(select(clamp(i, 0.0, last), other, wrap == WRAP_REPEAT));
+// A column or row of `count`, of which one past either end may be asked for.
+fn column(i: f32, count: f32, wrap: u32) -> u32 {
+  let last = count - 1.0;
+  let isRepeated = wrap == WRAP_REPEAT;
+  return u32(select(select(i, select(last, 0.0, isRepeated), i > last), select(0.0, last, isRepeated), i < 0.0));
 }
 
-fn valueOf(texel: u32, isColor: bool) -> vec3f {
-  let value = unpack4x8unorm(texel).rgb;
-  return select(value, linearOf(value), isColor);
+fn valueOf(texel: u32) -> vec3f {
+  return unpack4x8unorm(texel).rgb;
 }
 
 // sRGB, IEC 61966-2-1.
