@@ -1,3 +1,4 @@
+import type { Locator } from "@playwright/test";
 import type { RtViewerElement } from "../../src/element";
 import { type Area, meanColor, pictureOf } from "./support/picture";
 import { report } from "./support/report";
@@ -127,9 +128,13 @@ test("every field of the panel has a name for those who do not see its label", a
 });
 
 test.describe("the shader's text", () => {
+  /** Has the program of a scene at rest, after which there comes no other. */
+  const settle = (viewer: Locator) => viewer.evaluate((element: RtViewerElement) => element.tracer!.compile());
+
   test("opens over the page, word for word, and closes with Escape or its button", async ({ page }) => {
     const viewer = await openViewer(page, ROOMY);
     await viewer.getByLabel("object or light").selectOption({ label: "objects[1] · sphere · red" });
+    await settle(viewer);
     await viewer.getByRole("button", { name: "Shader" }).click();
     const show = viewer.getByRole("button", { name: "Show WGSL" });
     const dialog = viewer.getByRole("dialog");
@@ -156,6 +161,7 @@ test.describe("the shader's text", () => {
   test("can be copied", async ({ page, context }) => {
     await context.grantPermissions(["clipboard-read", "clipboard-write"]);
     const viewer = await openViewer(page, ROOMY);
+    await settle(viewer);
     await viewer.getByRole("button", { name: "Shader" }).click();
     await viewer.getByRole("button", { name: "Show WGSL" }).click();
     await viewer.getByRole("dialog").getByRole("button", { name: "Copy" }).click();
