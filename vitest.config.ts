@@ -16,8 +16,8 @@ export default defineConfig({
         alias: [{ find: /^rt-viewer$/, replacement: fileURLToPath(new URL("src/index.ts", import.meta.url)) }],
       }),
       project("shaders"),
-      // Side by side, though a software adapter takes every core: what checks its results takes one. Two minutes are for the slowest.
-      project("gpu", { testTimeout: 120_000, hookTimeout: 120_000 }),
+      // Side by side, though a software adapter takes every core: what checks its results takes one. A minute is for the slowest image.
+      project("gpu", { testTimeout: 60_000, hookTimeout: 60_000 }),
     ],
   },
 });

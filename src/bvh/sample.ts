@@ -91,7 +91,7 @@ export function chooseSample(
     next += 4;
   }
   sample.notable = next / 4 - first - sample.others;
-  const halvings = Math.max(Math.floor(Math.log2(limit / Math.max(largest, 1))), 0);
+  const halvings = Math.floor(Math.log2(limit / Math.max(largest, 1)));
   const most = sample.notable > 0 ? LEVELS_WITH_FAR_ONES : Number.POSITIVE_INFINITY;
   sample.calmLevels = Math.min(Math.max(LEVELS_PER_HALF * halvings - 1, 0), most);
 }

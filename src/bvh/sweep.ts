@@ -141,6 +141,7 @@ function measure(words: Int32Array, base: number, count: number): void {
  * is faster than to sort.
  *
  * @param start - the word of the first box's lower bound along the axis.
+ * @returns how far the centroids reach.
  */
 function sort(words: Int32Array, start: number, count: number, row: number): number {
   for (let i = 0; i < count; i++) {

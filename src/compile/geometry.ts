@@ -171,8 +171,8 @@ const GEOMETRY_FIELDS = ["positions", "indices", "normals", "uvs"] as const;
 type TypedArray = Float64Array | Float32Array | Uint32Array;
 
 function areEqual(a: TypedArray | undefined, b: TypedArray | undefined): boolean {
-  if (a === undefined || b === undefined) return a === b;
-  if (a.length !== b.length) return false;
+  if (a === b) return true;
+  if (a === undefined || b === undefined || a.length !== b.length) return false;
   for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
   return true;
 }

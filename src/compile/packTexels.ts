@@ -23,5 +23,8 @@ export function haveSameTexels(a: Textures, b: Textures): boolean {
 }
 
 function isSamePicture(a: ResolvedTexture, b: ResolvedTexture): boolean {
-  return a.texels.length === b.texels.length && a.texels.every((value, i) => value === b.texels[i]);
+  return (
+    a.texels === b.texels ||
+    (a.texels.length === b.texels.length && a.texels.every((value, i) => value === b.texels[i]))
+  );
 }

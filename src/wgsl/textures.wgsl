@@ -46,9 +46,8 @@ struct Footprint {
 fn colorAt(texture: u32, uv: vec2f) -> vec3f {
   if (texture == NONE) { return vec3f(1.0); }
   let f = footprint(textureOf(texture), uv);
-  let upper = mix(linearOf(valueOf(f.texels.x)), linearOf(valueOf(f.texels.y)), f.share.x);
-  let lower = mix(linearOf(valueOf(f.texels.z)), linearOf(valueOf(f.texels.w)), f.share.x);
-  return mix(upper, lower, f.share.y);
+  return bilinear(linearOf(valueOf(f.texels.x)), linearOf(valueOf(f.texels.y)), linearOf(valueOf(f.texels.z)),
+    linearOf(valueOf(f.texels.w)), f.share);
 }
 
 // Data, as it is.
@@ -56,9 +55,7 @@ fn colorAt(texture: u32, uv: vec2f) -> vec3f {
 fn dataAt(texture: u32, uv: vec2f) -> vec3f {
   if (texture == NONE) { return vec3f(1.0); }
   let f = footprint(textureOf(texture), uv);
-  let upper = mix(valueOf(f.texels.x), valueOf(f.texels.y), f.share.x);
-  let lower = mix(valueOf(f.texels.z), valueOf(f.texels.w), f.share.x);
-  return mix(upper, lower, f.share.y);
+  return bilinear(valueOf(f.texels.x), valueOf(f.texels.y), valueOf(f.texels.z), valueOf(f.texels.w), f.share);
 }
 
 @if(TEXTURES)
@@ -71,6 +68,10 @@ fn footprint(texture: Texture, uv: vec2f) -> Footprint {
   let y = vec2u(column(corner.y, size.y, texture.wrapV), column(corner.y + 1.0, size.y, texture.wrapV));
   let rows = texture.place.z + y * texture.place.x;
   return Footprint(vec4u(texels[rows.x + x.x], texels[rows.x + x.y], texels[rows.y + x.x], texels[rows.y + x.y]), share);
+}
+
+fn bilinear(a: vec3f, b: vec3f, c: vec3f, d: vec3f, share: vec2f) -> vec3f {
+  return mix(mix(a, b, share.x), mix(c, d, share.x), share.y);
 }
 
 // A texture coordinate within 0…1.

@@ -10,10 +10,10 @@
 // [3] Ylitie, Karras, Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs"
 import package::box::turnedBoxIntersect;
 import package::constants::FAR;
+import package::order::{greater, lesser};
 import package::planar::{Shear, quadIntersect, shearOf, triangleIntersect};
 import package::ray::{Hit, Ray, between, nearer};
 import package::sphere::sphereIntersect;
-import package::order::{greater, lesser};
 import package::scene::{PRIMITIVES, STACK_SIZE};
 
 // Two texels each, rows of 4096 nodes; see compile/packTree.ts. Written by the renderer when the geometry changes.

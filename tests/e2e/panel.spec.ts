@@ -242,7 +242,8 @@ test("the panel takes less than a millisecond of a frame", async ({ page }) => {
   const at = (share: number) =>
     rounds.map((costs) => Math.round(1000 * costs[Math.floor(share * (costs.length - 1))]!) / 1000);
   report("panelMs", { median: at(0.5), p95: at(0.95), most: at(1) });
-  // What else the machine does can only add to it: the least disturbed of three rounds counts.
-  expect(Math.min(...at(0.5))).toBeLessThan(1);
-  expect(Math.min(...at(0.95))).toBeLessThanOrEqual(1);
+  // What else the machine does adds to it now and then: of three rounds the middle one counts.
+  const middle = (three: number[]) => three.toSorted((a, b) => a - b)[1]!;
+  expect(middle(at(0.5))).toBeLessThan(1);
+  expect(middle(at(0.95))).toBeLessThanOrEqual(1);
 });
