@@ -19,7 +19,7 @@ export async function addViewer(page: Page, attributes: Readonly<Record<string, 
   return page.locator("rt-viewer").last();
 }
 
-/** Opens the page with one viewer on it and waits for its picture to have some samples. */
+/** Opens the page with one viewer on it and waits until its picture is shown, with some samples: it has said `ready`. */
 export async function openViewer(
   page: Page,
   attributes: Readonly<Record<string, string>>,
@@ -28,6 +28,8 @@ export async function openViewer(
   await openFixture(page);
   const viewer = await addViewer(page, attributes);
   await waitForSamples(viewer, samples);
+  // A sample is counted when the GPU has made it, and `ready`, which hides the bar, comes with the frame that draws it.
+  await expect(viewer.getByRole("progressbar")).toBeHidden();
   return viewer;
 }
 
