@@ -78,8 +78,11 @@ export class Graph {
   draw({ x, y, line, guide }: Plot): void {
     const across = (value: number) => round(shareOf(value, x) * SIZE);
     const down = (value: number) => round((1 - shareOf(value, y)) * SIZE);
-    const points = line.filter((point) => point.every(Number.isFinite));
-    setAttribute(this.#line, "points", points.map(([px, py]) => `${across(px)},${down(py)}`).join(" "));
+    let points = "";
+    for (const [px, py] of line) {
+      if (Number.isFinite(px) && Number.isFinite(py)) points += `${across(px)},${down(py)} `;
+    }
+    setAttribute(this.#line, "points", points);
     const ruled = [
       ...x.marks.map(({ at }) => `M${across(at)} 0V${SIZE}`),
       ...y.marks.map(({ at }) => `M0 ${down(at)}H${SIZE}`),

@@ -9,8 +9,8 @@ const FPS_POINTS = 96;
 // What most displays show; a graph of less is drawn to this height, so that a low line is a low rate.
 const COMMON_FPS = 60;
 
-/** A graph that can take note of figures without being drawn. */
-export type LiveGraph = { readonly observe: () => void; readonly draw: () => void };
+/** A graph that takes note of figures, and brings up to date what is written above it and the drawing. */
+export type LiveGraph = { readonly observe: () => void; readonly write: () => void; readonly draw: () => void };
 
 /** Adds a graph of the latest frame rates. */
 export function addFpsGraph(pane: FolderApi, stats: Stats): LiveGraph {
@@ -18,10 +18,8 @@ export function addFpsGraph(pane: FolderApi, stats: Stats): LiveGraph {
   const history = new RecentHistory(FPS_POINTS);
   return {
     observe: () => history.add(stats.fps),
-    draw() {
-      graph.setHeading(`${formatFps(stats.fps)} fps`, formatMilliseconds(stats.frameMs));
-      graph.draw(plotFps(history.values));
-    },
+    write: () => graph.setHeading(`${formatFps(stats.fps)} fps`, formatMilliseconds(stats.frameMs)),
+    draw: () => graph.draw(plotFps(history.values)),
   };
 }
 
@@ -44,10 +42,8 @@ export function addErrorGraph(pane: FolderApi, stats: Stats): LiveGraph {
   const course = new ErrorCourse();
   return {
     observe: () => course.observe(stats),
-    draw() {
-      graph.setHeading(`${formatPercent(stats.error)} error`, formatSeconds(stats.seconds));
-      graph.draw(plotError(course.points));
-    },
+    write: () => graph.setHeading(`${formatPercent(stats.error)} error`, formatSeconds(stats.seconds)),
+    draw: () => graph.draw(plotError(course.points)),
   };
 }
 

@@ -25,9 +25,9 @@ export const PROGRAM: readonly Line[] = [
   { label: "contains", rows: 6, read: ({ features }) => features.join("\n") },
 ];
 
-/** Adds lines of text. Returns what brings them up to date. */
-export function addLines(folder: FolderApi, lines: readonly Line[], stats: Stats): () => void {
-  const refreshers = lines.map(({ label, rows = 1, read }) => {
+/** Adds lines of text. Returns what brings each up to date. */
+export function addLines(folder: FolderApi, lines: readonly Line[], stats: Stats): (() => void)[] {
+  return lines.map(({ label, rows = 1, read }) => {
     const shown = { text: read(stats) };
     const binding = folder.addBinding(shown, "text", { readonly: true, label, rows, multiline: rows > 1, interval: 0 });
     return () => {
@@ -37,7 +37,4 @@ export function addLines(folder: FolderApi, lines: readonly Line[], stats: Stats
       binding.refresh();
     };
   });
-  return () => {
-    for (const refresh of refreshers) refresh();
-  };
 }
