@@ -38,7 +38,7 @@ export function packItems(
     const vertexNormals = object.normals && packDirections(object.normals);
     const corners = new Uint32Array(3);
     for (let i = 0; i < indices.length; i += 3) {
-      corners.set(indices.subarray(i, i + 3));
+      for (let corner = 0; corner < 3; corner++) corners[corner] = indices[i + corner]!;
       const isTurned = sortCorners(corners, positions);
       const slot = slotOf[firstTriangle + i / 3]!;
       const at = ITEM_WORDS * slot;
