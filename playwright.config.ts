@@ -11,10 +11,16 @@ if (executablePath === undefined) {
   );
 }
 
-const serve = (config: string, url: string) =>
-  `npx vite build --config ${config} && npx vite preview --config ${config} --port ${new URL(url).port} --strictPort`;
+const serve = (config: string, url: string) => ({
+  command: `npx vite build --config ${config} && npx vite preview --config ${config} --port ${new URL(url).port} --strictPort`,
+  url,
+  reuseExistingServer: process.env.CI === undefined,
+});
 
-/** The element, the demo and the packed package in a real browser, on its software adapter. One test at a time: each wants the whole CPU. */
+/**
+ * The element, the demo and the packed package, as last built, in a real browser, on its software adapter. One test at a time:
+ * each wants the whole CPU.
+ */
 export default defineConfig({
   projects: [
     { name: "e2e", testDir: "tests/e2e" },
@@ -31,17 +37,5 @@ export default defineConfig({
     viewport: { width: 800, height: 600 },
     launchOptions: { executablePath, args: [...SOFTWARE_WEBGPU_FLAGS] },
   },
-  webServer: [
-    // The fixture uses the package as built, so that is built first.
-    {
-      command: `npm run build && ${serve("tests/e2e/fixture/vite.config.ts", FIXTURE_URL)}`,
-      url: FIXTURE_URL,
-      reuseExistingServer: process.env.CI === undefined,
-    },
-    {
-      command: serve("demo/vite.config.ts", DEMO_URL),
-      url: DEMO_URL,
-      reuseExistingServer: process.env.CI === undefined,
-    },
-  ],
+  webServer: [serve("tests/e2e/fixture/vite.config.ts", FIXTURE_URL), serve("demo/vite.config.ts", DEMO_URL)],
 });

@@ -15,11 +15,11 @@ const TOOLS = ["typescript", "vite", "react", "react-dom", "@types/react", "@typ
 export class Project {
   readonly folder: string;
 
-  /** Packs the package, which builds it, installs the tarball and its dependencies, and builds the project. */
+  /** Packs the package as last built, installs the tarball and its dependencies, and builds the project. */
   static async create(): Promise<Project> {
     const folder = await mkdtemp(join(tmpdir(), "rt-viewer-stranger-"));
     await cp(TEMPLATE, folder, { recursive: true });
-    await run("npm", ["pack", "--pack-destination", folder], { cwd: REPOSITORY });
+    await run("npm", ["pack", "--ignore-scripts", "--pack-destination", folder], { cwd: REPOSITORY });
     const tarball = (await readdir(folder)).find((name) => name.endsWith(".tgz"));
     const quietly = ["--prefer-offline", "--no-audit", "--no-fund", "--ignore-scripts"];
     await run("npm", ["install", ...quietly, `./${tarball}`], { cwd: folder });
