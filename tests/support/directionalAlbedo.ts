@@ -11,6 +11,8 @@ export type Surface = {
 };
 
 const STEPS = 1000;
+/** Of STEPS angles from 0 to π. */
+const COSINES = Float64Array.from({ length: STEPS }, (_, j) => Math.cos((Math.PI * (j + 0.5)) / STEPS));
 
 /**
  * ∫ f·cos dω over the hemisphere, seen under the angle whose cosine is `cosO`, as a function of the base colour; relative
@@ -29,7 +31,8 @@ export function directionalAlbedo(surface: Surface, cosO: number): (baseColor: n
 
 /** Schlick's (1 − cos)⁵. */
 function schlickWeight(cosine: number): number {
-  return (1 - cosine) ** 5;
+  const rest = 1 - cosine;
+  return rest * rest * rest * rest * rest; // `**` takes several times as long
 }
 
 type Integrals = {
@@ -59,7 +62,7 @@ function overNormals(masking: Surface["masking"], alpha: number, cosO: number): 
     const cosM = 1 / Math.sqrt(1 + (alpha ** 2 * u) / (1 - u));
     const sinM = Math.sqrt(1 - cosM ** 2);
     for (let j = 0; j < STEPS; j++) {
-      const cosOM = sinO * sinM * Math.cos((Math.PI * (j + 0.5)) / STEPS) + cosO * cosM;
+      const cosOM = sinO * sinM * COSINES[j]! + cosO * cosM;
       const cosI = 2 * cosOM * cosM - cosO;
       if (cosOM <= 0 || cosI <= 0) continue;
       const value = (maskingShadowing(masking, cosO, cosI, alpha) * cosOM) / (cosO * cosM);
@@ -113,7 +116,7 @@ function meanWeight(cosO: number): number {
     const sin2 = (i + 0.5) / STEPS;
     const [sinI, cosI] = [Math.sqrt(sin2), Math.sqrt(1 - sin2)];
     for (let j = 0; j < STEPS; j++) {
-      const cosine = sinO * sinI * Math.cos((Math.PI * (j + 0.5)) / STEPS) + cosO * cosI;
+      const cosine = sinO * sinI * COSINES[j]! + cosO * cosI;
       sum += schlickWeight(Math.sqrt((1 + cosine) / 2)); // half-angle formula
     }
   }

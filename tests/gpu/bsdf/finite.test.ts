@@ -40,7 +40,7 @@ describe.each(Object.keys(MATERIALS))("%s", (name) => {
     const values = await evaluateBsdf(materials, inputs);
     expect(faults(inputs, values, 4)).toEqual([]);
     // Nothing is reflected through the surface, and nothing seen from below.
-    for (const [i, { x }] of inputs.entries()) if (x[2] < 0) expect(values[4 * i + 3]).toBe(0);
+    expect(inputs.filter(({ x }, i) => x[2] < 0 && !Object.is(values[4 * i + 3], 0))).toEqual([]);
     record(`${name}: f and its density, roughness down to 1e-30, grazing, wi = ±wo`, inputs);
   });
 
@@ -61,12 +61,12 @@ describe.each(Object.keys(MATERIALS))("%s", (name) => {
         8,
       ),
     ).toEqual([]);
-    for (const [i, { wo }] of inputs.entries()) {
-      const [x, y, z, pdf] = values.slice(8 * i, 8 * i + 4) as unknown as [number, number, number, number];
-      if (pdf === 0 || wo[2] === 0) continue;
-      expect(Math.abs(Math.hypot(x, y, z) - 1)).toBeLessThan(1e-6);
-      expect(z).toBeGreaterThan(0);
-    }
+    const odd = inputs.filter(({ wo }, i) => {
+      const [x, y, z, pdf] = values.subarray(8 * i, 8 * i + 4) as unknown as [number, number, number, number];
+      const isUnitAbove = Math.abs(Math.hypot(x, y, z) - 1) < 1e-6 && z > 0;
+      return pdf !== 0 && wo[2] !== 0 && !isUnitAbove;
+    });
+    expect(odd).toEqual([]);
     record(`${name}: samples, random numbers at 0 and 1 − 2⁻²⁴`, inputs);
   });
 });

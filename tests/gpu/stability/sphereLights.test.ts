@@ -122,15 +122,16 @@ async function sampleGrid(radius: number, distance: number) {
     outputRows: 2 * count,
   });
   const values = new Float32Array(words.buffer);
-  let [sums, textbook, worstPlace] = [0, 0, 0];
+  let [bad, sums, textbook, worstPlace] = [0, 0, 0, 0];
   for (let i = 0; i < count; i++) {
     const [x, y, z, t, estimate, , solidAngle] = values.subarray(8 * i, 8 * i + 8) as unknown as number[];
-    expect(Number.isFinite(estimate)).toBe(true);
+    if (!Number.isFinite(estimate)) bad++;
     const cosine = x! * DIRECTION[0] + y! * DIRECTION[1] + z! * DIRECTION[2];
     sums += (estimate! * cosine) / count;
     textbook += (solidAngle! * cosine) / count;
     const place = Math.hypot(x! * t! - center[0], y! * t! - center[1], z! * t! - center[2]) - radius;
     if (estimate! > 0) worstPlace = Math.max(worstPlace, Math.abs(place) / distance);
   }
+  expect(bad).toBe(0);
   return { sums, textbook, worstPlace };
 }
