@@ -4,13 +4,14 @@
 import { type AsyncBuildOptions, buildBvhAsync } from "../bvh/buildInWorker";
 import { triangleBounds } from "../bvh/triangleBounds";
 import type { ResolvedObject, ResolvedScene, Vec3 } from "../scene/schema";
+import type { BoundedPrimitive } from "./boundedShapes";
 import { packItems } from "./packItems";
 import { type MeshLamp, packLamps } from "./packLamps";
 import { haveSameTexels, packTexels } from "./packTexels";
 import type { Textures } from "./packTextures";
 import { packTree } from "./packTree";
 import { boundsOfShape } from "./treeItems";
-import { type TreeShape, treeShapesOf } from "./treeShapes";
+import { treeShapesOf } from "./treeShapes";
 import { length, subtract } from "./vec3";
 
 // Triangles in a leaf of the tree, at most. The shader was as quick with 4 for 1,000 triangles, and 10 % slower for 100,000.
@@ -55,7 +56,7 @@ export type Geometry = {
   readonly textures: Textures;
   /** `slotOf[item]`: where it lies in the tree's leaves. Items are the triangles of all meshes, then `treeShapes`. */
   readonly slotOf: Uint32Array;
-  readonly treeShapes: readonly TreeShape[];
+  readonly treeShapes: readonly BoundedPrimitive[];
   /** Slots of those, by the ids of their primitives. */
   readonly shapes: ReadonlyMap<number, number>;
   /** Levels of the tree below its root: as many links may wait while a ray is traced. */
@@ -154,7 +155,7 @@ function boundsOf(positions: Float32Array): { lower: Vec3; upper: Vec3 } {
 function isSame(
   { parts, treeShapes: shapesBefore, origin: before }: Geometry,
   meshes: readonly { object: MeshObject; id: number }[],
-  treeShapes: readonly TreeShape[],
+  treeShapes: readonly BoundedPrimitive[],
   origin: Vec3,
 ): boolean {
   const hasMoved = length(subtract(origin, before)) > 0;

@@ -1,7 +1,7 @@
+import type { BoundedPrimitive } from "./boundedShapes";
 import type { MeshPart } from "./geometry";
 import { NO_NORMAL, packDirections } from "./octahedral";
 import { ITEM_KINDS, itemOf } from "./treeItems";
-import type { TreeShape } from "./treeShapes";
 
 const ITEM_WORDS = 12;
 
@@ -22,7 +22,7 @@ export type PackedItems = {
  */
 export function packItems(
   parts: readonly MeshPart[],
-  shapes: readonly TreeShape[],
+  shapes: readonly BoundedPrimitive[],
   slotOf: Uint32Array,
   hasTextures: boolean,
 ): PackedItems {

@@ -2,9 +2,9 @@
 
 import type { Vec3 } from "../scene/schema";
 import { extent } from "./blockers";
+import type { BoundedShape } from "./boundedShapes";
 import { halfEdgeDuals } from "./duals";
 import { dualWithRim, inCommonOrder } from "./rims";
-import type { BoundedShape } from "./treeShapes";
 import { add, length, scale } from "./vec3";
 
 /** What the shader's tree can hold, by its number in `wgsl/tree.wgsl`. A triangle of a mesh may be turned round. */

@@ -1,6 +1,6 @@
+import { needsGeometry } from "../compile/boundedShapes";
 import { type CompiledScene, compileScene } from "../compile/compileScene";
 import { linkModule } from "../compile/linkProgram";
-import { needsGeometry } from "../compile/treeShapes";
 import { WebGpuError } from "../errors";
 import { adapterName, requestDevice } from "../gpu/device";
 import { ErrorPass } from "../gpu/errorPass";

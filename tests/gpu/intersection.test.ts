@@ -29,10 +29,10 @@ type Ray = { readonly o: Vec3; readonly d: Vec3; readonly wi: Vec3; readonly rea
 const NONE = 0xffffffff;
 const INSIDE = 0x80000000;
 
-// Twenty primitives are unrolled into the program; of fifty-six, all but the planes are in its tree.
+// Twenty primitives are unrolled into the program; of sixty, all but the planes and four large ones are in its tree.
 const CASES = [
   ...[1, 2, 3, 4].map((seed) => ({ seed, count: 20, copies: 1 })),
-  ...[5, 6].map((seed) => ({ seed, count: 56, copies: 3 })),
+  ...[5, 6].map((seed) => ({ seed, count: 60, copies: 3 })),
 ];
 
 describe.each(CASES)("$count primitives of all kinds and 20,000 rays, seed $seed", ({ seed, copies }) => {
@@ -44,7 +44,7 @@ describe.each(CASES)("$count primitives of all kinds and 20,000 rays, seed $seed
   let hits: readonly { readonly hit: Traced; readonly reach: number; readonly next: readonly Meeting[] }[];
 
   beforeAll(async () => {
-    traced = await trace(scene, rays);
+    traced = await trace(scene, rays, copies > 1 ? 54 : 0);
     hits = traced.flatMap((hit, i) => {
       if (hit.id === NONE) return [];
       const source: Source = { id: hit.id, inside: hit.inside };
@@ -106,9 +106,10 @@ function allowance({ t, cosine }: Meeting, o: Vec3): number {
   return (PLACE_ERROR * (8 + Math.hypot(...o) + t)) / cosine;
 }
 
-async function trace(scene: ResolvedScene, rays: readonly Ray[]): Promise<Traced[]> {
+async function trace(scene: ResolvedScene, rays: readonly Ray[], inTree: number): Promise<Traced[]> {
   const settings = { estimator: "path", sampler: "sobol", lightSamples: 1 } as const;
   const geometry = await prepareGeometry(scene);
+  expect(geometry?.shapes.size ?? 0).toBe(inTree);
   const { sceneModule, features, uniform } = compileScene(scene, settings, undefined, geometry);
   const words = await runProbe({
     wgsl: `
@@ -215,8 +216,23 @@ function randomScene(seed: number, copies: number): ResolvedScene {
       return { type: "triangle", vertices: [a, add(a, edge()), add(a, edge())], material };
     }),
   ];
+  const large: SceneObject[] = [
+    { type: "sphere", center: [3, 3, -3], radius: 2.5, material },
+    { type: "box", center: [-3.5, 0, 0], size: [1, 7, 7], material },
+    { type: "quad", corner: [-4, -4, 3.75], edge1: [8, 0, 0], edge2: [0, 8, 0], material },
+    {
+      type: "triangle",
+      vertices: [
+        [-4, -4, -4],
+        [4, -4, -4],
+        [0, 4, -4.5],
+      ],
+      material,
+    },
+  ];
   const objects: SceneObject[] = [
     ...Array.from({ length: copies }, bounded).flat(),
+    ...(copies > 1 ? large : []),
     { type: "plane", point: [0, -4.5, 0], normal: [0, 1, 0], material },
     { type: "plane", point: [0, 0, -5], normal: [0.25, -0.125, 1], material },
   ];

@@ -14,9 +14,9 @@ const prepare = (input: Scene, previous?: Awaited<ReturnType<typeof prepareGeome
   prepareGeometry(parseScene(input), { previous });
 
 test("a scene without meshes, and with few shapes, has none", async () => {
-  const sphere = { type: "sphere", center: [0, 0, 0], radius: 1, material: "m" } as const;
-  expect(await prepare(scene({ objects: [sphere] }))).toBeUndefined();
-  const many = await prepare(scene({ objects: Array.from({ length: 60 }, () => sphere) }));
+  const ball = (x: number) => ({ type: "sphere", center: [x, 0, 0], radius: 0.1, material: "m" }) as const;
+  expect(await prepare(scene({ objects: [ball(0)] }))).toBeUndefined();
+  const many = await prepare(scene({ objects: Array.from({ length: 60 }, (_, i) => ball(i)) }));
   expect(many?.shapes.size).toBe(60);
 });
 
