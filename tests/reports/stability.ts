@@ -46,7 +46,7 @@ the ground where one is huge, \`multiscatter\` is compiled where a material asks
 export function main(args: readonly string[]): void {
   const isLong = args.includes("--long");
   if (!isLong) rmSync(ROWS, { recursive: true, force: true });
-  const tests = ["tests/gpu/stability", "tests/gpu/bsdf"];
+  const tests = ["tests/gpu/stability", "tests/gpu/bsdf", "tests/gpu/meshes"];
   const { status } = spawnSync("npx", ["vitest", "run", "--project", "gpu", "--testTimeout=600000", ...tests], {
     stdio: "inherit",
     shell: process.platform === "win32",
