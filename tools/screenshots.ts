@@ -17,7 +17,6 @@ type Screenshot = {
 
 const SCREENSHOTS: readonly Screenshot[] = [
   { name: "gallery", path: "", ready: (page) => samples(page, 48) },
-  { name: "feature", path: "features/soft-shadows.html", ready: (page) => samples(page, 48) },
   {
     name: "playground",
     path: "playground.html",
