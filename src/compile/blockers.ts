@@ -70,15 +70,13 @@ function extentOfEmitter(normal: Vec3): (emitter: Emitter) => Vec3[] {
 
 function corners({ center, halfSize, turn = 0 }: Shape & { kind: "box" }): Vec3[] {
   const [c, s] = [Math.cos(turn), Math.sin(turn)];
-  return [-1, 1].flatMap((x) =>
-    [-1, 1].flatMap((y) =>
-      [-1, 1].map((z): Vec3 => {
-        const [dx, dy, dz] = [x * halfSize[0], y * halfSize[1], z * halfSize[2]];
-        return add(center, [c * dx + s * dz, dy, c * dz - s * dx]);
-      }),
-    ),
-  );
+  return CORNERS.map(([x, y, z]): Vec3 => {
+    const [dx, dy, dz] = [x * halfSize[0], y * halfSize[1], z * halfSize[2]];
+    return add(center, [c * dx + s * dz, dy, c * dz - s * dx]);
+  });
 }
+
+const CORNERS = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z): Vec3 => [x, y, z])));
 
 function pointOn(shape: Shape & { kind: "plane" | "quad" | "triangle" }): Vec3 {
   if (shape.kind === "plane") return shape.point;

@@ -15,18 +15,28 @@ const WIDENING = 2 ** -19;
 
 /** `[minX, minY, minZ, maxX, maxY, maxZ]` around a shape and its rim. */
 export function boundsOfShape(shape: BoundedShape): number[] {
-  const axes: Vec3[] = [
-    [1, 0, 0],
-    [0, 1, 0],
-    [0, 0, 1],
-  ];
-  const ranges = axes.map((axis, i) => {
-    const coordinates = extent(shape, axis).map((point) => point[i]!);
-    return [Math.min(...coordinates), Math.max(...coordinates)] as const;
-  });
-  const size = Math.max(...ranges.flat().map(Math.abs), ...ranges.map(([least, most]) => most - least));
-  return [...ranges.map(([least]) => least - WIDENING * size), ...ranges.map(([, most]) => most + WIDENING * size)];
+  // Only of a sphere it matters along which axis points are asked for.
+  const points = (shape.kind === "sphere" ? AXES : AXES.slice(0, 1)).flatMap((axis) => extent(shape, axis));
+  const box = [...points[0]!, ...points[0]!];
+  for (const point of points) {
+    for (let axis = 0; axis < 3; axis++) {
+      box[axis] = Math.min(box[axis]!, point[axis]!);
+      box[3 + axis] = Math.max(box[3 + axis]!, point[axis]!);
+    }
+  }
+  let size = 0;
+  for (let axis = 0; axis < 3; axis++) {
+    const [least, most] = [box[axis]!, box[3 + axis]!];
+    size = Math.max(size, Math.abs(least), Math.abs(most), most - least);
+  }
+  return box.map((value, i) => (i < 3 ? value - WIDENING * size : value + WIDENING * size));
 }
+
+const AXES: readonly Vec3[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
 
 /** A shape as an item of the tree: its kind, three vectors and a number. */
 export function itemOf(shape: BoundedShape): { kind: number; vectors: readonly [Vec3, Vec3, Vec3]; w: number } {

@@ -5,7 +5,7 @@ import { type BoundedPrimitive, boundedShapesOf, MAX_UNROLLED } from "./boundedS
 import { boundsOfShape } from "./treeItems";
 
 // A shape whose box has this share of the surface of the box around all is met by so many rays that the tree is a detour: a
-// sample of a room of 41 balls took 425 ms of a software adapter with its walls in the tree, and 264 ms without.
+// sample of a room of 42 balls took 425 ms of a software adapter with its walls in the tree, and 264 ms without.
 const LARGE_SHARE = 1 / 10;
 // Kinds of so few shapes are not worth the test that every item of the tree would need: with its one lamp unrolled, the room
 // took 234 ms.
