@@ -95,9 +95,8 @@ function numbers<Out extends TypedArray>(
         // To ask `problemWith` of each of a mesh's millions takes three times as long.
         const isInRange = typeof value === "number" && value >= min && value <= max;
         if (isInRange && (!isInteger || Number.isInteger(value))) continue;
-        const expected = problemWith(value, rule);
-        if (expected === undefined) continue;
-        addIssue({ message: `expected ${expected}, got ${show(value)}`, path: [pathItem(input, i)] });
+        const message = `expected ${problemWith(value, rule)}, got ${show(value)}`;
+        addIssue({ message, path: [pathItem(input, i)] });
         faulty++;
       }
       if (faulty > 0) return NEVER;
