@@ -196,7 +196,7 @@ for (const isRefused of [false, true]) {
 
 test("the panel takes less than a millisecond of a frame", async ({ page }) => {
   await openFixture(page);
-  const rounds = await page.evaluate(async () => {
+  const costs = await page.evaluate(async () => {
     const { createPanel } = await loadPanel();
     const root = document.body.attachShadow({ mode: "open" });
     const container = root.appendChild(document.createElement("div"));
@@ -228,7 +228,7 @@ test("the panel takes less than a millisecond of a frame", async ({ page }) => {
 
     const spent: number[] = [];
     // In each frame one part of it is due, and every figure is another one each time.
-    for (let i = 1; i <= 360; i++) {
+    for (let i = 1; i <= 300; i++) {
       await new Promise(requestAnimationFrame);
       Object.assign(stats, { samples: i, seconds: 0.2 * i, error: 1 / Math.sqrt(i), fps: 50 + (i % 13) });
       Object.assign(stats, { raysPerSecond: 9e6 + 1e5 * i, pathsPerSecond: 2e6 + 1e5 * i, gpuMs: 10 + (i % 7) });
@@ -237,13 +237,10 @@ test("the panel takes less than a millisecond of a frame", async ({ page }) => {
       void container.offsetHeight; // and the layout that follows from it
       spent.push(performance.now() - start);
     }
-    return [0, 120, 240].map((from) => spent.slice(from, from + 120).sort((a, b) => a - b));
+    return spent.sort((a, b) => a - b);
   });
-  const at = (share: number) =>
-    rounds.map((costs) => Math.round(1000 * costs[Math.floor(share * (costs.length - 1))]!) / 1000);
-  report("panelMs", { median: at(0.5), p95: at(0.95), most: at(1) });
-  // What else the machine does adds to it now and then: of three rounds the middle one counts.
-  const middle = (three: number[]) => three.toSorted((a, b) => a - b)[1]!;
-  expect(middle(at(0.5))).toBeLessThan(1);
-  expect(middle(at(0.95))).toBeLessThanOrEqual(1);
+  const at = (share: number) => Math.round(1000 * costs[Math.floor(share * (costs.length - 1))]!) / 1000;
+  report("panelMs", { median: at(0.5), p95: at(0.95), most: at(1), frames: costs.length });
+  expect(at(0.5)).toBeLessThan(1);
+  expect(at(0.95)).toBeLessThanOrEqual(1);
 });
