@@ -88,7 +88,7 @@ describe.each(CASES)("$name, seed 31", ({ name, scene, size, samples, lightSampl
   test.each(lightSampleCounts)("give as much with %d light samples as the baseline finds", async (lightSamples) => {
     const ours = await render({ lightSamples });
     for (const { stats } of ours) expect(stats.badSamples).toBe(0);
-    baselineOnce ??= render({ estimator: "uniform", lightSamples: 8 });
+    baselineOnce ??= render({ estimator: "uniform", lightSamples: 16 });
     const [path, baseline] = [meanOf(ours), meanOf(await baselineOnce)];
     const sigma = Math.hypot(path.standardError, baseline.standardError);
     console.log(`${name}: ${path.mean.toFixed(5)} against ${baseline.mean.toFixed(5)} ± ${sigma.toExponential(1)}`);
