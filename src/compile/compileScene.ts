@@ -26,6 +26,8 @@ export type CompiledScene = {
   readonly shapes: readonly Shape[];
   /** Those of them that emit. */
   readonly lamps: readonly Shape[];
+  /** What light sampling chooses among. */
+  readonly lightCount: number;
   /** The scene's point that is the shader's origin; subtract it from the camera's position. */
   readonly origin: Vec3;
 };
@@ -73,11 +75,15 @@ export function compileScene(
   return {
     sceneModule,
     features,
-    description: [...describeFeatures(primitives, emitters, features), ...(camera ? ["values as constants"] : [])],
+    description: [
+      ...describeFeatures(primitives, emitters, features),
+      camera ? "values as constants" : "values in a buffer",
+    ],
     uniform,
     isStored: uniform.byteLength > MAX_UNIFORM_BYTES,
     shapes: primitives.map(({ shape }) => shape),
     lamps: primitives.filter(isEmissive).map(({ shape }) => shape),
+    lightCount: emitters.length,
     origin,
   };
 }

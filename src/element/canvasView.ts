@@ -8,8 +8,8 @@ import { FrameBudget } from "./frameBudget";
 /**
  * One tracer that draws into one canvas, and owns both the tracer and the canvas's connection to the GPU.
  *
- * The canvas always has every pixel. The film has fewer, and fewer samples per frame, while the camera, the scene or the
- * canvas changes from frame to frame and the adapter could not keep up otherwise.
+ * The canvas always has every pixel. The film has fewer while the camera, the scene or the canvas changes from frame to frame
+ * and the adapter could not keep up otherwise.
  */
 export class CanvasView {
   readonly tracer: PathTracer;
@@ -18,7 +18,6 @@ export class CanvasView {
   readonly #budget = new FrameBudget();
   /** The canvas's, from the next picture on. */
   #size: PixelSize;
-  #samplesPerFrame: number;
   /** What the last frame was to show, compared by identity: the tracer keeps its objects until they change. */
   #shown: readonly object[];
   #look: View = {};
@@ -37,7 +36,6 @@ export class CanvasView {
     this.#canvas = canvas;
     this.#context = context;
     this.#size = { width: tracer.width, height: tracer.height };
-    this.#samplesPerFrame = tracer.settings.samplesPerFrame;
     this.#shown = this.#toShow();
     context.configure({
       device: tracer.device,
@@ -59,7 +57,6 @@ export class CanvasView {
 
   /** Of the picture at rest. */
   set settings(settings: Settings) {
-    this.#samplesPerFrame = settings.samplesPerFrame;
     this.tracer.update(settings);
   }
 
@@ -128,9 +125,7 @@ export class CanvasView {
     const before = this.#shown;
     this.#shown = this.#toShow();
     if (this.#shown.some((part, index) => part !== before[index])) this.#budget.noteChange(nowMs);
-    const full = { ...this.#size, samples: this.#samplesPerFrame };
-    const { width, height, samples } = this.#budget.passFor(full, tracer, tracer.stats.pathsPerSecond, nowMs);
+    const { width, height } = this.#budget.sizeFor(this.#size, tracer, tracer.stats.pathsPerSecond, nowMs);
     tracer.resize(width, height);
-    if (samples !== tracer.settings.samplesPerFrame) tracer.update({ samplesPerFrame: samples });
   }
 }

@@ -1,8 +1,5 @@
 import type { PixelSize } from "./canvasSize";
 
-/** What one pass over the film costs: its pixels, and the samples taken of each. */
-export type Pass = PixelSize & { readonly samples: number };
-
 // 60 frames per second, on faster displays too.
 const TARGET_FRAME_MS = 1000 / 60;
 // Of a frame, what a pass may take before it has to shrink: more does not fit in one of the tracer's submits (12 ms) with
@@ -33,23 +30,24 @@ export class FrameBudget {
   }
 
   /**
-   * @param full - the pass over the picture at rest.
+   * The size of the film.
+   *
+   * @param full - of the picture at rest.
    * @param film - the film's size now; it is kept if it does.
    * @param pathsPerSecond - how fast the adapter is; 0 while unknown.
    */
-  passFor(full: Pass, film: PixelSize, pathsPerSecond: number, nowMs: number): Pass {
+  sizeFor(full: PixelSize, film: PixelSize, pathsPerSecond: number, nowMs: number): PixelSize {
     const isMoving = this.#isRepeated && nowMs - this.#changedAt < REST_MS;
-    return isMoving && pathsPerSecond > 0 ? affordablePass(full, film, pathsPerSecond) : full;
+    return isMoving && pathsPerSecond > 0 ? affordableSize(full, film, pathsPerSecond) : full;
   }
 }
 
-/** The pass that fits a frame: fewer samples per pixel than `full` takes if need be, then fewer pixels. */
-export function affordablePass(full: Pass, film: PixelSize, pathsPerSecond: number): Pass {
+/** The size of which a sample of every pixel fits a frame. */
+export function affordableSize(full: PixelSize, film: PixelSize, pathsPerSecond: number): PixelSize {
   const msOf = ({ width, height }: PixelSize) => (1000 * width * height) / pathsPerSecond;
   const now = scaled(full, film.height / full.height);
   const isKept = now.width === film.width && msOf(now) >= MIN_PASS_MS && msOf(now) <= MAX_PASS_MS;
-  const size = isKept ? now : scaled(full, Math.sqrt(WANTED_PASS_MS / msOf(full)));
-  return { ...size, samples: Math.max(1, Math.min(full.samples, Math.floor(MAX_PASS_MS / msOf(size)))) };
+  return isKept ? now : scaled(full, Math.sqrt(WANTED_PASS_MS / msOf(full)));
 }
 
 /** The height is rounded first and the width follows it, so that the proportions are off by half a pixel at most. */

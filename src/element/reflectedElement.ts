@@ -128,11 +128,14 @@ export class ReflectedElement extends BrowserElement {
     this.#reflect("maxBounces", value);
   }
 
-  /** Samples per pixel between two frames, as far as the frame budget allows. Attribute `samples-per-frame`, default 1. */
-  get samplesPerFrame(): number {
+  /**
+   * Samples per pixel between two frames, as far as the frame budget allows. Attribute `samples-per-frame`, default `"auto"`: as
+   * many as it allows.
+   */
+  get samplesPerFrame(): number | "auto" {
     return this.#number("samplesPerFrame") ?? DEFAULT_SETTINGS.samplesPerFrame;
   }
-  set samplesPerFrame(value: number) {
+  set samplesPerFrame(value: number | "auto") {
     this.#reflect("samplesPerFrame", value);
   }
 
@@ -193,7 +196,7 @@ export class ReflectedElement extends BrowserElement {
     return parseNumber(this.getAttribute(rule.attribute), rule);
   }
 
-  #reflect(name: SettingName, value: number | undefined): void {
+  #reflect(name: SettingName, value: number | "auto" | undefined): void {
     const { attribute } = SETTING_ATTRIBUTES[name];
     if (value === undefined || value === null) this.removeAttribute(attribute);
     else this.setAttribute(attribute, String(value));

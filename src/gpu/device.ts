@@ -45,3 +45,11 @@ export function lossOf(device: GPUDevice): Promise<WebGpuError | undefined> {
 export function sleep(ms: number): Promise<undefined> {
   return new Promise((resolve) => setTimeout(resolve, ms));
 }
+
+/**
+ * Whether waiting for the device costs it speed: while a promise is pending, Dawn in Node spins Node's event loop, which takes a
+ * core from a software adapter. Better sleep through most of the wait.
+ */
+export function spinsInNode(device: GPUDevice): boolean {
+  return "process" in globalThis && device.adapterInfo.isFallbackAdapter;
+}

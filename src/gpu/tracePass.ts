@@ -6,11 +6,17 @@ import { BufferUsage, ShaderStage } from "./flags";
 import { geometryLayout } from "./geometryLayout";
 import { createComputePipeline } from "./pipelines";
 import type { SceneGeometry } from "./sceneGeometry";
+import { BLOCK_STRIPS } from "./strips";
 
-/** One dispatch's camera, tile, samples and settings. */
+/** One dispatch's camera, strips, samples and settings. */
 export type FrameUniforms = StructValue<typeof FRAME.fields>;
 
-const WORKGROUP = 8; // @workgroup_size of trace() and traceLamps()
+/** Dispatches in one submit, at most. */
+export const MAX_DISPATCHES = 64;
+// Where in the buffer each dispatch has its uniforms: minUniformBufferOffsetAlignment of every WebGPU device.
+const FRAME_STRIDE = 256;
+// Workgroups in one row of a dispatch: any number up to maxComputeWorkgroupsPerDimension.
+const MAX_ROW = 16384;
 
 /** The entry points of a tracer; `lamps` where the scene has any. */
 export type TracePipelines = {
@@ -43,7 +49,11 @@ function createTraceLayout(
 ): GPUPipelineLayout {
   const scene = isStored ? "read-only-storage" : "uniform";
   const types = ["uniform", scene, "storage", "storage", "storage"] as const;
-  const own = types.map((type, binding) => ({ binding, visibility: ShaderStage.COMPUTE, buffer: { type } }));
+  const own = types.map((type, binding) => ({
+    binding,
+    visibility: ShaderStage.COMPUTE,
+    buffer: { type, hasDynamicOffset: binding === 0 },
+  }));
   const group = device.createBindGroupLayout({ label: "trace", entries: [...own, ...geometry] });
   return device.createPipelineLayout({ label: "trace", bindGroupLayouts: [group] });
 }
@@ -55,7 +65,7 @@ export class TracePass {
   readonly #frame: GPUBuffer;
   readonly #scene: GPUBuffer;
   readonly #bindGroup: GPUBindGroup;
-  readonly #frameBytes = new DataView(new ArrayBuffer(FRAME.bytes));
+  readonly #frameBytes = new DataView(new ArrayBuffer(FRAME_STRIDE * MAX_DISPATCHES));
 
   constructor(
     device: GPUDevice,
@@ -67,15 +77,16 @@ export class TracePass {
     this.#device = device;
     this.#pipelines = pipelines;
     const usage = BufferUsage.UNIFORM | BufferUsage.COPY_DST;
-    this.#frame = device.createBuffer({ label: "frame uniforms", size: FRAME.bytes, usage });
+    this.#frame = device.createBuffer({ label: "frame uniforms", size: this.#frameBytes.byteLength, usage });
     this.#scene = device.createBuffer({ label: "scene", size: scene.byteLength, usage: usage | BufferUsage.STORAGE });
     this.writeScene(scene);
     this.#bindGroup = device.createBindGroup({
       label: "trace",
       layout: pipelines.trace.getBindGroupLayout(0),
       entries: [
-        ...[this.#frame, this.#scene, film.sums, film.counters, film.carries].map((buffer, binding) => ({
-          binding,
+        { binding: 0, resource: { buffer: this.#frame, size: FRAME.bytes } },
+        ...[this.#scene, film.sums, film.counters, film.carries].map((buffer, i) => ({
+          binding: i + 1,
           resource: { buffer },
         })),
         ...(geometry?.entries(pipelines.geometry) ?? []),
@@ -88,16 +99,24 @@ export class TracePass {
     this.#device.queue.writeBuffer(this.#scene, 0, scene);
   }
 
-  /** Traces rows `firstRow` to `endRow`. One call per submit: the uniforms are shared by all that is encoded with it. */
-  encode(encoder: GPUCommandEncoder, frame: FrameUniforms, timestampWrites?: GPUComputePassTimestampWrites): void {
-    FRAME.write(this.#frameBytes, 0, frame);
-    this.#device.queue.writeBuffer(this.#frame, 0, this.#frameBytes.buffer);
+  /**
+   * Traces up to `MAX_DISPATCHES` slices, one after the other. One call per submit: it writes the uniforms of all that is
+   * encoded with it.
+   */
+  encode(
+    encoder: GPUCommandEncoder,
+    frames: readonly FrameUniforms[],
+    timestampWrites?: GPUComputePassTimestampWrites,
+  ): void {
+    for (const [i, frame] of frames.entries()) FRAME.write(this.#frameBytes, i * FRAME_STRIDE, frame);
+    this.#device.queue.writeBuffer(this.#frame, 0, this.#frameBytes.buffer, 0, frames.length * FRAME_STRIDE);
     const pass = encoder.beginComputePass({ label: "trace", ...(timestampWrites && { timestampWrites }) });
-    pass.setBindGroup(0, this.#bindGroup);
-    dispatch(pass, this.#pipelines.trace, frame.size[0]!, frame.endRow - frame.firstRow);
-    const { lampsFrom: from, lampsTo: to } = frame;
-    const lampRows = Math.min(to[1]!, frame.endRow) - Math.max(from[1]!, frame.firstRow);
-    if (this.#pipelines.lamps && lampRows > 0) dispatch(pass, this.#pipelines.lamps, to[0]! - from[0]!, lampRows);
+    for (const [i, frame] of frames.entries()) {
+      pass.setBindGroup(0, this.#bindGroup, [i * FRAME_STRIDE]);
+      dispatch(pass, this.#pipelines.trace, frame);
+      const seesLamps = frame.lampsTo[0]! > frame.lampsFrom[0]!;
+      if (this.#pipelines.lamps && seesLamps) dispatch(pass, this.#pipelines.lamps, frame);
+    }
     pass.end();
   }
 
@@ -107,8 +126,9 @@ export class TracePass {
   }
 }
 
-/** One invocation for each of `width · rows` pixels. */
-function dispatch(pass: GPUComputePassEncoder, pipeline: GPUComputePipeline, width: number, rows: number): void {
+/** One workgroup for each block of the film that the slice has strips of. */
+function dispatch(pass: GPUComputePassEncoder, pipeline: GPUComputePipeline, frame: FrameUniforms): void {
+  const blocks = Math.ceil(frame.endStrip / BLOCK_STRIPS) - Math.floor(frame.firstStrip / BLOCK_STRIPS);
   pass.setPipeline(pipeline);
-  pass.dispatchWorkgroups(Math.ceil(width / WORKGROUP), Math.ceil(rows / WORKGROUP));
+  pass.dispatchWorkgroups(Math.min(blocks, MAX_ROW), Math.ceil(blocks / MAX_ROW));
 }

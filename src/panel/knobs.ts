@@ -19,11 +19,12 @@ type KnobOptions = {
 
 /** The range of each slider: what is useful to turn by hand, not all that is allowed. */
 const SLIDERS = {
-  samplesPerFrame: { label: "samples/frame", min: 1, max: 20, step: 1 },
   maxBounces: { label: "bounces", min: 0, max: 16, step: 1 },
   lightSamples: { label: "light samples", min: 1, max: 15, step: 1 },
   exposure: { label: "exposure", min: -6, max: 6, step: 0.1 },
 } as const;
+
+const MOST_FRAME_SAMPLES = 20;
 
 const CHOICES = {
   estimator: { label: "estimator", options: { "path tracing": "path", uniform: "uniform" } },
@@ -33,12 +34,21 @@ const CHOICES = {
 /** Adds the folder with the knobs. `set` shows values that were changed elsewhere without calling `onChange`. */
 export function addKnobs(pane: FolderApi, options: KnobOptions): { set(values: Partial<PanelKnobs>): void } {
   const folder = pane.addFolder({ title: "Settings" });
-  const values = { ...options.knobs, targetPercent: 100 * options.knobs.targetError };
+  const values = { ...options.knobs, ...asNumbers(options.knobs) };
   let isBeingSet = false;
   const change = (changes: Partial<PanelKnobs>) => {
     if (!isBeingSet) options.onChange(changes);
   };
 
+  const samples = folder
+    .addBinding(values, "frameSamples", {
+      label: "samples/frame",
+      min: 0,
+      max: Math.max(MOST_FRAME_SAMPLES, values.frameSamples),
+      step: 1,
+      format: (count) => (count === 0 ? "auto" : String(count)),
+    })
+    .on("change", ({ value }) => change({ samplesPerFrame: value === 0 ? "auto" : value }));
   const sliders = (Object.keys(SLIDERS) as (keyof typeof SLIDERS)[]).map((name) => {
     const { label, min, max, step } = SLIDERS[name];
     // A scene may ask for more than the slider is good for.
@@ -63,10 +73,15 @@ export function addKnobs(pane: FolderApi, options: KnobOptions): { set(values: P
   return {
     set(changes) {
       Object.assign(values, changes);
-      values.targetPercent = 100 * values.targetError;
+      Object.assign(values, asNumbers(values));
       isBeingSet = true;
-      for (const binding of [...sliders, ...choices, target]) binding.refresh();
+      for (const binding of [samples, ...sliders, ...choices, target]) binding.refresh();
       isBeingSet = false;
     },
   };
+}
+
+/** What is shown as other numbers: 0 samples per frame are `"auto"`, and errors are per cents. */
+function asNumbers({ samplesPerFrame, targetError }: PanelKnobs): { frameSamples: number; targetPercent: number } {
+  return { frameSamples: samplesPerFrame === "auto" ? 0 : samplesPerFrame, targetPercent: 100 * targetError };
 }

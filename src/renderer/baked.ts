@@ -33,19 +33,33 @@ export class Baked {
     return this.#trace;
   }
 
-  /** Compiles the scene, unless that is done or under way. Resolves when the program is in use. */
-  compile(scene: () => CompiledScene, target: Target): Promise<void> {
+  /**
+   * Compiles the scene, unless that is done or under way. Resolves when the program is in use, or is not worth it.
+   *
+   * @param isQuicker - asked whether it is worth it.
+   */
+  compile(
+    scene: () => CompiledScene,
+    target: Target,
+    isQuicker: (program: Program, scene: CompiledScene) => Promise<boolean>,
+  ): Promise<void> {
     if (this.#program) return Promise.resolve();
-    this.#compiling ??= this.#compile(scene(), target).finally(() => {
+    this.#compiling ??= this.#compile(scene(), target, isQuicker).finally(() => {
       this.#compiling = undefined;
     });
     return this.#compiling;
   }
 
-  async #compile(scene: CompiledScene, target: Target): Promise<void> {
+  async #compile(
+    scene: CompiledScene,
+    target: Target,
+    isQuicker: (program: Program, scene: CompiledScene) => Promise<boolean>,
+  ): Promise<void> {
     const changes = this.#changes;
     const program = await createProgram(this.#device, scene);
     if (changes !== this.#changes) return;
+    const isWorthIt = await isQuicker(program, scene);
+    if (changes !== this.#changes || !isWorthIt) return;
     this.#program = program;
     this.#use(program, scene, target);
   }

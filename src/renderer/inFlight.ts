@@ -1,4 +1,4 @@
-import { lossOf, sleep } from "../gpu/device";
+import { lossOf, sleep, spinsInNode } from "../gpu/device";
 import { Readback, type Report } from "../gpu/readback";
 
 // With a second submit waiting, the device does not idle until the next one is made.
@@ -10,10 +10,12 @@ export class InFlight {
   readonly #reports = new Map<Readback, Promise<void>>();
 
   readonly #device: GPUDevice;
+  readonly #spins: boolean;
   #isDisposed = false;
 
   constructor(device: GPUDevice) {
     this.#device = device;
+    this.#spins = spinsInNode(device);
     this.#readbacks = Array.from({ length: MOST }, () => new Readback(device));
   }
 
@@ -33,13 +35,13 @@ export class InFlight {
   /**
    * Follows a submit until it has reported. Reports are taken in the order of the submits, whichever is read first.
    *
-   * @param waitMs - before asking: Dawn in Node spins while a promise is pending, which takes a core from a software adapter.
+   * @param waitMs - how long it is not worth asking, where asking costs something.
    * @throws {WebGpuError} if the submit failed; where the device was lost, that says so.
    */
   add(readback: Readback, waitMs: number, hasErrorSums: boolean, take: (report: Report) => void): Promise<void> {
     const earlier = Promise.allSettled(this.#reports.values());
     const follow = async () => {
-      if (waitMs > 0) await sleep(waitMs);
+      if (this.#spins && waitMs > 0) await sleep(waitMs);
       if (this.#isDisposed) return;
       const report = await readback.read(hasErrorSums);
       await earlier;

@@ -1,18 +1,20 @@
 import { relativeError } from "../gpu/errorPass";
 import type { Report } from "../gpu/readback";
-import { Pace, pathsOf } from "./pace";
-import type { Slice } from "./progress";
+import { Pace } from "./pace";
 import { Rate } from "./rates";
 import type { Settings } from "./settings";
 import type { Stats } from "./stats";
 
 // Presented this soon again, it is the same frame.
 const SAME_FRAME_MS = 1;
-// Share of a slice's time by which one may be early to ask whether it is done.
+// Share of a submit's time by which one may be early to ask whether it is done.
 const EARLY = 0.1;
 
-/** A slice under way. Times as of `performance.now()`. */
+/** Work under way. Times as of `performance.now()`. */
 export type Submit = {
+  readonly paths: number;
+  /** Whatever else comes meanwhile, this is what it tells about. */
+  readonly pace: Pace;
   readonly at: number;
   /** How long it should take. */
   readonly ms: number;
@@ -23,8 +25,8 @@ export type Submit = {
 /** Keeps the stats up to date, from what the device reports. */
 export class Meter {
   readonly stats: Stats;
-  /** How fast the adapter is, for sizing work. */
-  readonly pace = new Pace();
+  /** How fast the adapter runs what is shown now, for sizing work; another one when something else is shown. */
+  pace = new Pace(1);
   readonly #frameRate = new Rate();
   readonly #pathRate = new Rate();
   readonly #rayRate = new Rate();
@@ -82,37 +84,32 @@ export class Meter {
     this.stats.frameMs = this.stats.fps > 0 ? 1000 / this.stats.fps : 0;
   }
 
-  /** A slice is submitted. The device does one at a time, in order. */
-  submit(slice: Slice, width: number): Submit {
+  /** Work is submitted. The device does one submit at a time, in order. */
+  submit(paths: number): Submit {
     const at = performance.now();
-    const ms = this.pace.predictMs(slice, width);
+    const ms = this.pace.predictMs(paths);
     this.#queuedMs += ms;
     this.#freeAt = Math.max(at, this.#freeAt) + ms;
-    return { at, ms, wakeAt: this.#freeAt - EARLY * ms };
+    return { paths, pace: this.pace, at, ms, wakeAt: this.#freeAt - EARLY * ms };
   }
 
-  /** It is done. Returns the milliseconds since the device could begin with it. */
-  finish({ at, ms }: Submit): number {
+  /** It is done: takes note of how fast the device did it, by GPU time where that is known, else by the clock. */
+  finish({ paths, pace, at, ms: predictedMs }: Submit, { gpuMs, rays }: Report): void {
     const startedAt = Math.max(at, this.#finishedAt);
     this.#finishedAt = performance.now();
-    this.#queuedMs -= ms;
+    this.#queuedMs -= predictedMs;
     this.#freeAt = this.#finishedAt + this.#queuedMs;
-    return this.#finishedAt - startedAt;
-  }
-
-  /** Takes note of how fast the device did a slice of a film of this width. */
-  observe(slice: Slice, width: number, { gpuMs, rays }: Report, wallMs: number): void {
-    const { stats } = this;
-    const ms = gpuMs ?? wallMs;
-    this.pace.observe(slice, width, ms);
-    this.#pathRate.observe(pathsOf(slice, width), ms / 1000);
+    const ms = gpuMs ?? this.#finishedAt - startedAt;
+    pace.observe(paths, ms);
+    this.#pathRate.observe(paths, ms / 1000);
     this.#rayRate.observe(rays, ms / 1000);
+    const { stats } = this;
     stats.gpuMs = ms;
     stats.pathsPerSecond = this.#pathRate.perSecond;
     stats.raysPerSecond = this.#rayRate.perSecond;
   }
 
-  /** Takes note of what the slice last observed added to the film, after which every pixel held `samples`. */
+  /** Takes note of what the work last observed added to the film, after which every pixel held `samples`. */
   count(samples: number, { badSamples, errorSums }: Report): void {
     const { stats } = this;
     stats.samples = samples;

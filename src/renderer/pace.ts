@@ -1,37 +1,55 @@
-import type { Slice } from "./progress";
+// Of the past, what still counts after one more measurement, so that one stutter changes little.
+const KEPT = 0.7;
+// A few strips tell little of a picture, many tell all of it: the next work is at most this many times what was measured, or
+// its square by this many paths, whichever is more.
+const GROWTH = 16;
+const TELLING_PATHS = 64;
 
-// Until something has been measured, small enough not to freeze the slowest adapter.
-const FIRST_PATHS = 8192;
-// Rows of a workgroup: slices end on them, so that no lane idles.
-const ROW_STEP = 8;
-// Weight of the newest measurement.
-const BLEND = 0.3;
+// Samples per pixel in one dispatch. More gain little, and would add up too many samples before the film keeps what f32 loses.
+const MOST_SAMPLES = 32;
+// Pixels that the first work should have, rather than more samples of fewer.
+const FIRST_PIXELS = 256;
 
 /** Learns how fast the adapter traces and sizes work to a time budget. */
 export class Pace {
-  #msPerPath: number | undefined;
+  readonly #firstPaths: number;
+  #ms = 0;
+  #paths = 0;
+  #mostPaths = 0;
 
-  /** Rows that fit `budgetMs` at `count` samples per pixel, at least one workgroup's. */
-  rowsFor(budgetMs: number, width: number, count: number): number {
-    const paths = this.#msPerPath === undefined ? FIRST_PATHS : budgetMs / this.#msPerPath;
-    return Math.max(ROW_STEP, Math.floor(paths / (width * count) / ROW_STEP) * ROW_STEP);
+  /** @param firstPaths - how many paths one may dare before anything has been measured. */
+  constructor(firstPaths: number) {
+    this.#firstPaths = firstPaths;
   }
 
-  /** Milliseconds the slice is likely to take; 0 while nothing is known. */
-  predictMs(slice: Slice, width: number): number {
-    return (this.#msPerPath ?? 0) * pathsOf(slice, width);
+  /**
+   * Samples per pixel in one dispatch while nobody watches. Whatever is measured, one scene has the same: samples that are added
+   * up in the same groups give the same picture to the last bit.
+   */
+  get dispatchSamples(): number {
+    return Math.max(1, Math.min(MOST_SAMPLES, Math.floor(this.#firstPaths / FIRST_PIXELS)));
   }
 
-  observe(slice: Slice, width: number, ms: number): void {
-    const msPerPath = ms / pathsOf(slice, width);
-    this.#msPerPath = this.#msPerPath === undefined ? msPerPath : lerp(this.#msPerPath, msPerPath, BLEND);
+  get #isKnown(): boolean {
+    return this.#paths > 0;
   }
-}
 
-export function pathsOf(slice: Slice, width: number): number {
-  return width * (slice.endRow - slice.firstRow) * slice.count;
-}
+  /** Paths that are likely to fit `budgetMs`. */
+  pathsFor(budgetMs: number): number {
+    if (!this.#isKnown) return this.#firstPaths;
+    const most = this.#mostPaths * Math.max(GROWTH, this.#mostPaths / TELLING_PATHS);
+    return Math.min((budgetMs * this.#paths) / this.#ms, most);
+  }
 
-function lerp(a: number, b: number, t: number): number {
-  return a + (b - a) * t;
+  /** Milliseconds that so many paths are likely to take; 0 while nothing is known. */
+  predictMs(paths: number): number {
+    return this.#isKnown ? (paths * this.#ms) / this.#paths : 0;
+  }
+
+  /** Takes note that so many paths took `ms` > 0. Larger work says more than small work, which starting it makes slow. */
+  observe(paths: number, ms: number): void {
+    this.#ms = KEPT * this.#ms + ms;
+    this.#paths = KEPT * this.#paths + paths;
+    this.#mostPaths = Math.max(this.#mostPaths, paths);
+  }
 }

@@ -7,20 +7,25 @@ import { ErrorPass } from "../gpu/errorPass";
 import { Film } from "../gpu/film";
 import { createComputePipeline } from "../gpu/pipelines";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
-import { type FrameUniforms, TracePass } from "../gpu/tracePass";
+import { TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
 import { Baked, type Target } from "./baked";
 import { cameraBasis, lampPixels, rayStart } from "./camera";
+import type { SharedUniforms } from "./compareTraces";
 import { Display, readPicture, type View } from "./display";
+import { ErrorChecks } from "./errorChecks";
 import { InFlight } from "./inFlight";
 import { Meter } from "./meter";
+import { Pace } from "./pace";
 import type { Picked, Picker, Sight } from "./picker";
 import { type Prepared, prepareGeometry } from "./prepareGeometry";
 import { createProgram, type Program, programKey } from "./program";
 import { Progress } from "./progress";
 import { DEFAULT_SETTINGS, type Settings } from "./settings";
 import type { Stats } from "./stats";
+import { takeSlices } from "./takeSlices";
+import { firstPathsFor } from "./workload";
 
 /** What a tracer is made from. */
 export type PathTracerOptions = {
@@ -41,22 +46,21 @@ export type SceneOptions = {
   readonly signal?: AbortSignal;
 };
 
-type SharedUniforms = Omit<FrameUniforms, "half" | "firstSample" | "sampleCount" | "firstRow" | "endRow">;
-
 /** A scene and where it is seen from. */
 type Shown = { readonly scene: ResolvedScene; readonly camera: ResolvedCamera };
 
 // Milliseconds of work in one submit: while a page renders, and while nobody watches.
 const FRAME_BUDGET_MS = 12;
 const BATCH_BUDGET_MS = 100;
-// Samples per pixel in one dispatch, while nobody watches. More than this gains little.
-const BATCH_SAMPLES = 32;
 // A scene that has not changed for this long, in milliseconds, or is to take this many samples at once, is worth compiling
 // with its values as constants.
 const REST_MS = 500;
 const BAKE_SAMPLES = 16;
-// Milliseconds between two estimates of the error.
-const ERROR_INTERVAL_MS = 200;
+// Where a path has no more rays than this, a change of the scene's values alone can't make it so much longer that what is known
+// of the pace would be dangerous.
+const FEW_RAYS = 32;
+// Pixels of the longer side where two programs are compared: enough to fill a GPU.
+const COMPARED_SIDE = 512;
 
 /**
  * Renders a scene progressively on a WebGPU device. It needs no canvas and no DOM.
@@ -106,7 +110,11 @@ export class PathTracer {
     this.#fail(new WebGpuError(error.message, { cause: error }));
   };
   #disposed = false;
-  #errorAt = Number.NEGATIVE_INFINITY;
+  #errorChecks = new ErrorChecks();
+  /** What the pace was learned from: while it stays, so does the pace. */
+  #paced: readonly unknown[] = [];
+  /** The program whose values, as constants, made it no quicker. */
+  #unbakeable: Program | undefined;
 
   /**
    * @throws {SceneError} with every issue, if the scene breaks the format.
@@ -151,11 +159,11 @@ export class PathTracer {
     this.#errorPipeline = errorPipeline;
     this.#inFlight = new InFlight(device);
     this.#film = new Film(device, width, height);
-    this.#progress = new Progress(height);
+    this.#progress = new Progress(width, height);
     this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
     this.#geometry = geometry?.upload(device);
     this.#trace = this.#createTrace();
-    this.#shared = this.#sharedUniforms();
+    this.#shared = this.#sharedUniforms(width, height);
     device.addEventListener("uncapturederror", this.#onDeviceError);
     this.#baked = new Baked(device);
     this.#meter = new Meter(adapterName(device));
@@ -257,16 +265,13 @@ export class PathTracer {
     if (this.#disposed) return;
     if (this.#stale) this.#restart();
     if (count >= BAKE_SAMPLES) await this.compile();
-    for (let taken = 0; taken < count && !this.stats.converged && !this.#disposed && this.#failure === undefined; ) {
-      const wanted = Math.min(count - taken, this.#settings.maxSamples - this.#progress.samples);
-      if (wanted <= 0) break;
-      if (this.#inFlight.isFull) {
-        await this.#inFlight.any();
-        continue;
-      }
-      const before = this.#progress.samples;
-      this.#work(BATCH_BUDGET_MS, BATCH_SAMPLES, wanted, true).catch(this.#fail);
-      taken += Math.max(this.#progress.samples - before, 0);
+    const end = Math.min(this.#progress.samples + count, this.#settings.maxSamples);
+    while (this.#progress.samples < end && !this.stats.converged && !this.#disposed && this.#failure === undefined) {
+      const samples = Math.min(end - this.#progress.samples, this.#allowedSamples);
+      if (samples > 0 && !this.#inFlight.isFull) {
+        this.#work(BATCH_BUDGET_MS, samples, end, false).catch(this.#fail);
+      } else if (!this.#inFlight.isEmpty) await this.#inFlight.any();
+      else break; // maxSamples has come down
     }
     await this.#inFlight.all();
     if (this.#failure !== undefined) throw this.#failure;
@@ -279,7 +284,8 @@ export class PathTracer {
   async compile(): Promise<void> {
     if (!this.#settings.constants || this.#disposed) return;
     if (this.#stale) this.#restart();
-    await this.#baked.compile(this.#bakedScene, this.#target);
+    if (this.#settings.constants === "auto" && this.#unbakeable === this.#program) return;
+    await this.#baked.compile(this.#bakedScene, this.#target, this.#isQuicker);
     if (this.#disposed) this.#baked.drop();
     else this.#meter.useProgram(this.program);
   }
@@ -321,10 +327,14 @@ export class PathTracer {
     // Finish the first pass of what is shown before following a moving camera, or a slow adapter would never show any.
     const isFirstPass = this.#progress.samples === 0 && !this.#progress.isBalanced;
     if (this.#stale && !isFirstPass) this.#restart();
-    const remaining = this.#settings.maxSamples - this.#progress.samples;
-    if (this.stats.converged || remaining <= 0) return false;
+    const { samplesPerFrame } = this.#settings;
+    const samples = Math.min(
+      samplesPerFrame === "auto" ? Number.POSITIVE_INFINITY : samplesPerFrame,
+      this.#allowedSamples,
+    );
+    if (this.stats.converged || samples <= 0) return false;
     if (!this.#installing && performance.now() - this.#restartedAt > REST_MS) this.compile().catch(this.#fail);
-    this.#work(FRAME_BUDGET_MS, this.#settings.samplesPerFrame, remaining, false).catch(this.#fail);
+    this.#work(FRAME_BUDGET_MS, samples, this.#settings.maxSamples, true).catch(this.#fail);
     return true;
   }
 
@@ -437,65 +447,98 @@ export class PathTracer {
     return new TracePass(this.device, pipelines, this.#compiled.uniform, this.#geometry, this.#film);
   }
 
+  /** Whether a program with the scene's values as constants is to take the place of the one that runs. */
+  readonly #isQuicker = async (program: Program, compiled: CompiledScene): Promise<boolean> => {
+    if (this.#settings.constants !== "auto") return true;
+    const general = this.#program;
+    const { compareTraces } = await import("./compareTraces");
+    const scale = Math.min(1, COMPARED_SIDE / Math.max(this.width, this.height));
+    const [width, height] = [this.width, this.height].map((side) => Math.ceil(scale * side)) as [number, number];
+    const contenders = [
+      { program: general, compiled: this.#compiled },
+      { program, compiled },
+    ] as const;
+    const shared = this.#sharedUniforms(width, height);
+    const ratio = await compareTraces(this.device, contenders, this.#geometry, shared, this.#meter.pace);
+    if (ratio > 1) this.#unbakeable = general;
+    return ratio <= 1;
+  };
+
   #restart(): void {
     this.#stale = false;
     this.#restartedAt = performance.now();
-    this.#shared = this.#sharedUniforms();
+    this.#shared = this.#sharedUniforms(this.width, this.height);
+    this.#startPace();
     this.#trace.writeScene(this.#compiled.uniform);
     if (this.#settings.constants) this.#baked.change(this.#bakedScene, this.#target);
     else this.#baked.drop();
     this.#meter.useProgram(this.program);
-    this.#progress = new Progress(this.height);
-    this.#errorAt = Number.NEGATIVE_INFINITY;
+    this.#progress = new Progress(this.width, this.height);
+    this.#errorChecks = new ErrorChecks();
     this.#meter.restart(this.#settings);
     const encoder = this.device.createCommandEncoder({ label: "restart" });
     this.#film.clear(encoder);
     this.device.queue.submit([encoder.finish()]);
   }
 
+  /** Forgets what the pace was, unless what was measured still tells of what is shown now. */
+  #startPace(): void {
+    const { maxBounces, lightSamples } = this.#shared;
+    const [compiled, program, geometry] = [this.#compiled, this.#program, this.#geometry];
+    const mayGrowLong = (maxBounces + 1) * (lightSamples + 1) > FEW_RAYS;
+    const paced = [program, geometry, maxBounces, lightSamples, mayGrowLong && compiled];
+    if (paced.every((part, i) => part === this.#paced[i])) return;
+    this.#paced = paced;
+    this.#meter.pace = new Pace(firstPathsFor(compiled, geometry !== undefined, maxBounces, lightSamples));
+  }
+
+  /** Samples per pixel that may be taken now. */
+  get #allowedSamples(): number {
+    const { samples } = this.#progress;
+    const { maxSamples, targetError } = this.#settings;
+    return Math.min(maxSamples, this.#errorChecks.allowedSamples(samples, targetError)) - samples;
+  }
+
   /**
-   * Submits one slice, and resolves when the device is done with it. With `patient`, sleeps through most of the wait
-   * instead of polling. There must be a free readback.
+   * Submits work, and resolves when the device is done with it. There must be a free readback.
+   *
+   * @param samples - per pixel, at most.
+   * @param end - samples per pixel after which the error is wanted in any case.
+   * @param isWatched - see `WorkLimits`.
    */
-  #work(budgetMs: number, maxCount: number, remaining: number, patient: boolean): Promise<void> {
+  #work(budgetMs: number, samples: number, end: number, isWatched: boolean): Promise<void> {
     const readback = this.#inFlight.freeReadback;
-    const { width } = this;
     const progress = this.#progress;
-    const samplesBefore = progress.samples;
-    const slice = progress.next(
-      this.#meter.pace.rowsFor(budgetMs, width, Math.min(maxCount, remaining)),
-      maxCount,
-      remaining,
-    );
-    progress.finish(slice);
-    const now = performance.now();
-    const samples = progress.samples;
-    const isLast = samples - samplesBefore >= remaining;
-    const wantsError = samples >= 2 && (isLast || now - this.#errorAt > ERROR_INTERVAL_MS);
-    if (wantsError) this.#errorAt = now;
+    const checks = this.#errorChecks;
+    const { pace } = this.#meter;
+    const limits = { paths: pace.pathsFor(budgetMs), samples, dispatchSamples: pace.dispatchSamples, isWatched };
+    const slices = takeSlices(progress, limits);
+    const taken = progress.samples;
+    const wantsError = checks.ask(taken, this.#settings.targetError, taken >= end, performance.now());
 
     const encoder = this.device.createCommandEncoder({ label: "sample" });
     const trace = this.#baked.trace ?? this.#trace;
-    const { half, firstSample, count: sampleCount, firstRow, endRow } = slice;
-    const frame = { ...this.#shared, half, firstSample, sampleCount, firstRow, endRow };
-    trace.encode(encoder, frame, readback.timestampWrites);
+    trace.encode(
+      encoder,
+      slices.map((slice) => ({ ...this.#shared, ...slice })),
+      readback.timestampWrites,
+    );
     if (wantsError) this.#errorPass.encode(encoder);
     readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
     this.device.queue.submit([encoder.finish()]);
 
-    const submit = this.#meter.submit(slice, width);
-    const waitMs = patient ? submit.wakeAt - submit.at : 0;
-    return this.#inFlight.add(readback, waitMs, wantsError, (report) => {
-      this.#meter.observe(slice, width, report, this.#meter.finish(submit));
+    const submit = this.#meter.submit(slices.reduce((sum, { paths }) => sum + paths, 0));
+    return this.#inFlight.add(readback, submit.wakeAt - submit.at, wantsError, (report) => {
+      this.#meter.finish(submit, report);
       if (progress !== this.#progress) return; // what it added is gone
-      this.#meter.count(samples, report);
+      if (wantsError) checks.report(taken);
+      this.#meter.count(taken, report);
       this.#meter.updateConverged(this.#settings);
     });
   }
 
-  /** What the dispatches of one accumulation have in common. */
-  #sharedUniforms(): SharedUniforms {
-    const { width, height } = this;
+  /** What the dispatches of one accumulation have in common, on a film of this size. */
+  #sharedUniforms(width: number, height: number): SharedUniforms {
     const { seed, lightSamples, maxBounces = this.#scene.maxBounces } = this.#settings;
     const basis = cameraBasis(this.#camera, this.#compiled.origin, width / height);
     const view = rayStart(basis, this.#compiled.shapes);

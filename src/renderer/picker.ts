@@ -96,8 +96,10 @@ export class Picker {
 
 const ONE_PIXEL = {
   size: [1, 1],
-  firstRow: 0,
-  endRow: 1,
+  firstStrip: 0,
+  endStrip: 1,
+  unitStrips: 1,
+  unitStride: 1,
   half: 0,
   firstSample: 0,
   sampleCount: 1,

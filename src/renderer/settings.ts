@@ -4,8 +4,11 @@ export type Settings = {
   readonly maxBounces: number | undefined;
   /** Light points sampled at each hit. Default 1. */
   readonly lightSamples: number;
-  /** Samples per pixel taken between two presentations, as long as the frame budget allows. Default 1. */
-  readonly samplesPerFrame: number;
+  /**
+   * Samples per pixel taken between two presentations, as far as the frame budget allows. `"auto"`, the default: as many as
+   * it allows.
+   */
+  readonly samplesPerFrame: number | "auto";
   /**
    * `"path"`, the default: importance sampling of lobes and lights, combined by multiple importance sampling.
    * `"uniform"`: uniform hemisphere directions and light points uniform on the emitter's surface; the same expectation,
@@ -15,10 +18,10 @@ export type Settings = {
   /** `"sobol"`, the default: Owen-scrambled Sobol points. `"independent"`: pseudo-random numbers (PCG). */
   readonly sampler: "sobol" | "independent";
   /**
-   * Whether a scene at rest is compiled again, in the background, with its values as constants in the shader; faster, and
-   * the same image up to rounding. Default true.
+   * Whether a scene at rest is compiled again, in the background, with its values as constants in the shader; the same image
+   * up to rounding. `"auto"`, the default: both programs are timed, and the quicker one goes on.
    */
-  readonly constants: boolean;
+  readonly constants: boolean | "auto";
   /** Seed of the sampler, an unsigned 32-bit integer. The same seed gives the same image. Default 1. */
   readonly seed: number;
   /** Sampling stops once `stats.error` is at most this relative RMSE. Default 0: never. */
@@ -31,10 +34,10 @@ export type Settings = {
 export const DEFAULT_SETTINGS: Settings = {
   maxBounces: undefined,
   lightSamples: 1,
-  samplesPerFrame: 1,
+  samplesPerFrame: "auto",
   estimator: "path",
   sampler: "sobol",
-  constants: true,
+  constants: "auto",
   seed: 1,
   targetError: 0,
   maxSamples: Number.POSITIVE_INFINITY,

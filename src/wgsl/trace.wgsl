@@ -1,8 +1,9 @@
 // Traces sampleCount paths per pixel and adds them to one half of the film.
 import package::estimator::Li;
 import package::film::{FilmPixel, filmAdd};
-import package::lamps::lampLight;
+import package::lamps::{inLampWindow, lampLight};
 import package::sampler::makeSampler;
+import package::slice::slicePixel;
 import package::uniforms::{frame, rayCount};
 
 // Radiance sums and, in w, the number of samples in them. Half 0, then half 1; rows from the top. Written here only.
@@ -22,9 +23,13 @@ struct Counters {
 @group(0) @binding(4) var<storage, read_write> carries: array<vec2u>;
 
 @compute @workgroup_size(8, 8)
-fn trace(@builtin(global_invocation_id) id: vec3u) {
-  let pixel = vec2u(id.x, id.y + frame.firstRow);
-  if (pixel.x >= frame.size.x || pixel.y >= frame.endRow) { return; }
+fn trace(
+  @builtin(workgroup_id) group: vec3u,
+  @builtin(num_workgroups) groups: vec3u,
+  @builtin(local_invocation_index) lane: u32,
+) {
+  let pixel = slicePixel(group, groups, lane);
+  if (any(pixel >= frame.size)) { return; }
   var sum = vec4f(0.0);
   for (var i = 0u; i < frame.sampleCount; i++) {
     let samples = makeSampler(pixel, frame.half, frame.seed, frame.firstSample + i);
@@ -36,13 +41,17 @@ fn trace(@builtin(global_invocation_id) id: vec3u) {
   if (badSamples > 0u) { atomicAdd(&counters.badSamples, badSamples); }
 }
 
-// Adds what the same paths leave out: see lamps.wgsl. One invocation per pixel of the lamps' window. Where paths have been
-// dropped, which is a bug anyway, lamps come out that much too bright.
+// Adds what the same paths leave out: see lamps.wgsl. Where paths have been dropped, which is a bug anyway, lamps come out
+// that much too bright.
 @if(LAMPS)
 @compute @workgroup_size(8, 8)
-fn traceLamps(@builtin(global_invocation_id) id: vec3u) {
-  let pixel = id.xy + vec2u(frame.lampsFrom.x, max(frame.lampsFrom.y, frame.firstRow));
-  if (any(pixel >= vec2u(frame.lampsTo.x, min(frame.lampsTo.y, frame.endRow)))) { return; }
+fn traceLamps(
+  @builtin(workgroup_id) group: vec3u,
+  @builtin(num_workgroups) groups: vec3u,
+  @builtin(local_invocation_index) lane: u32,
+) {
+  let pixel = slicePixel(group, groups, lane);
+  if (!inLampWindow(pixel)) { return; }
   var sum = vec3f(0.0);
   for (var i = 0u; i < frame.sampleCount; i++) {
     sum += lampLight(pixel, makeSampler(pixel, frame.half, frame.seed, frame.firstSample + i));

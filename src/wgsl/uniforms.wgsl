@@ -16,10 +16,11 @@ struct FrameUniforms {
   seed: u32,
   // Of the film, in pixels.
   size: vec2u,
-  // First row of this dispatch.
-  firstRow: u32,
-  // Row after the last.
-  endRow: u32,
+  // What of the film this dispatch traces: see slice.wgsl.
+  firstStrip: u32,
+  endStrip: u32,
+  unitStrips: u32,
+  unitStride: u32,
   maxBounces: u32,
   lightSamples: u32,
   // Distance of `origin` from the camera in image planes. Nothing in view lies closer: see compile/clearDepth.ts.

@@ -21,7 +21,13 @@ test.each(REFERENCE_NAMES)("%s looks the same with its values as constants as in
 test("constants take over in the middle of an accumulation, which goes on, seed 8", async () => {
   const { scene } = loadReference("spheres");
   const [width, height] = SIZE;
-  const tracer = await PathTracer.create({ scene, width, height, settings: { seed: 8 }, device: await testDevice() });
+  const tracer = await PathTracer.create({
+    scene,
+    width,
+    height,
+    settings: { seed: 8, constants: true },
+    device: await testDevice(),
+  });
   await tracer.sample(SAMPLES / 2);
   const { program } = tracer;
   await tracer.compile();

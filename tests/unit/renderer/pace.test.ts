@@ -1,66 +1,55 @@
 import { expect, test } from "vitest";
-import { Pace, pathsOf } from "../../../src/renderer/pace";
-import type { Slice } from "../../../src/renderer/progress";
+import { Pace } from "../../../src/renderer/pace";
 
-const WIDTH = 256;
+const FIRST = 1000;
 
-function sliceOf(rows: number, count: number): Slice {
-  return { half: 0, firstSample: 0, count, firstRow: 0, endRow: rows };
-}
-
-/** A pace that has seen an adapter of constant speed. */
-function measured(msPerPath: number): Pace {
-  const pace = new Pace();
-  const slice = sliceOf(8, 1);
-  for (let i = 0; i < 50; i++) pace.observe(slice, WIDTH, msPerPath * pathsOf(slice, WIDTH));
+/** A pace that has seen an adapter of constant speed do work of this size. */
+function measured(msPerPath: number, paths = 10_000): Pace {
+  const pace = new Pace(FIRST);
+  for (let i = 0; i < 50; i++) pace.observe(paths, msPerPath * paths);
   return pace;
 }
 
-test("paths are pixels times samples", () => {
-  expect(pathsOf({ half: 1, firstSample: 9, count: 3, firstRow: 8, endRow: 24 }, 10)).toBe(10 * 16 * 3);
-});
-
 test("before anything is measured the work is small and nothing is predicted", () => {
-  const pace = new Pace();
-  expect(pathsOf(sliceOf(pace.rowsFor(12, WIDTH, 1), 1), WIDTH)).toBeLessThanOrEqual(8192);
-  expect(pace.predictMs(sliceOf(8, 1), WIDTH)).toBe(0);
+  const pace = new Pace(FIRST);
+  for (const budgetMs of [1, 12, 100]) expect(pace.pathsFor(budgetMs)).toBe(FIRST);
+  expect(pace.predictMs(1e9)).toBe(0);
 });
 
-test("work fits the budget, and fills it up to a workgroup's rows", () => {
+test("work fills the budget", () => {
   const pace = measured(1e-3);
-  for (const [budgetMs, count] of [
-    [12, 1],
-    [100, 1],
-    [100, 3],
-  ] as const) {
-    const rows = pace.rowsFor(budgetMs, WIDTH, count);
-    expect(pace.predictMs(sliceOf(rows, count), WIDTH)).toBeLessThanOrEqual(budgetMs);
-    expect(pace.predictMs(sliceOf(rows + 8, count), WIDTH)).toBeGreaterThan(budgetMs);
+  for (const budgetMs of [4, 12, 100]) expect(pace.predictMs(pace.pathsFor(budgetMs))).toBeCloseTo(budgetMs, 9);
+});
+
+test("what starting costs a small first work is forgotten with the first large one", () => {
+  // 0.05 ms to start with, and 10⁷ paths per millisecond, as on a quick GPU.
+  const msOf = (paths: number) => 0.05 + paths / 1e7;
+  const pace = new Pace(8192);
+  const submits = [];
+  while (submits.length < 3) {
+    const paths = pace.pathsFor(12);
+    submits.push(paths);
+    pace.observe(paths, msOf(paths));
   }
+  expect(msOf(pace.pathsFor(12))).toBeGreaterThan(0.8 * 12);
+  expect(msOf(pace.pathsFor(12))).toBeLessThan(1.05 * 12);
 });
 
-test("slices end on workgroups, and hold at least one however slow the adapter is", () => {
-  for (const msPerPath of [1e-7, 3e-4, 1e-2, 10]) {
-    const rows = measured(msPerPath).rowsFor(12, WIDTH, 2);
-    expect(rows % 8).toBe(0);
-    expect(rows).toBeGreaterThanOrEqual(8);
-  }
+test("a first work of a few strips, which may have missed what is slow, lets the next one be 16 times as large at most", () => {
+  const pace = new Pace(16);
+  pace.observe(16, 1e-3);
+  expect(pace.pathsFor(12)).toBe(256);
+  pace.observe(256, 1e-3);
+  expect(pace.pathsFor(12)).toBe(4096);
 });
 
-test("the first measurement counts in full; later ones blend, so that one stutter does not", () => {
-  const slice = sliceOf(8, 1);
-  const pace = new Pace();
-  pace.observe(slice, WIDTH, 10);
-  expect(pace.predictMs(slice, WIDTH)).toBeCloseTo(10, 12);
-  pace.observe(slice, WIDTH, 100);
-  expect(pace.predictMs(slice, WIDTH)).toBeGreaterThan(10);
-  expect(pace.predictMs(slice, WIDTH)).toBeLessThan(50);
-});
-
-test("a lasting change is learnt within ten measurements", () => {
+test("one stutter changes the work by less than a factor of four, and a lasting change is learnt within ten measurements", () => {
   const pace = measured(1e-3);
-  const slice = sliceOf(8, 1);
-  for (let i = 0; i < 10; i++) pace.observe(slice, WIDTH, 4e-3 * pathsOf(slice, WIDTH));
+  const before = pace.pathsFor(12);
+  pace.observe(10_000, 100);
+  expect(pace.pathsFor(12)).toBeGreaterThan(before / 4);
+  const slowed = measured(1e-3);
+  for (let i = 0; i < 10; i++) slowed.observe(10_000, 4e-3 * 10_000);
   // 0.7¹⁰ = 2.8 % of the old speed is left.
-  expect(pace.predictMs(slice, WIDTH) / (4e-3 * pathsOf(slice, WIDTH))).toBeCloseTo(1, 1);
+  expect(slowed.predictMs(10_000) / 40).toBeCloseTo(1, 1);
 });

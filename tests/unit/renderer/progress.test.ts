@@ -1,11 +1,16 @@
 import { describe, expect, test } from "vitest";
 import { Progress, type Slice } from "../../../src/renderer/progress";
 
-/** Takes slices until `target` samples per pixel are complete; `rows` and `maxCount` may change from slice to slice. */
-function sampleTo(progress: Progress, target: number, rows: () => number, maxCount: () => number): Slice[] {
+/** A film of four blocks, 64 strips. */
+const film = () => new Progress(16, 16);
+const PIXELS = 256;
+const ALL = 1e9;
+
+/** Takes slices until `target` samples per pixel are complete; `paths` and `maxCount` may change from slice to slice. */
+function sampleTo(progress: Progress, target: number, paths: () => number, maxCount: () => number): Slice[] {
   const slices: Slice[] = [];
   while (progress.samples < target) {
-    const slice = progress.next(rows(), maxCount(), target - progress.samples);
+    const slice = progress.next(paths(), maxCount(), target - progress.samples);
     progress.finish(slice);
     slices.push(slice);
   }
@@ -23,53 +28,98 @@ function randomOf(seed: number): () => number {
   };
 }
 
+/** Pixels of a slice, as `wgsl/slice.wgsl` finds them. */
+function pixelsOf({ firstStrip, endStrip, unitStrips, unitStride }: Slice, width: number, height: number): number[] {
+  const columns = Math.ceil(width / 8);
+  const units = (columns * Math.ceil(height / 8) * 16) / unitStrips;
+  const pixels: number[] = [];
+  for (let strip = firstStrip; strip < endStrip; strip++) {
+    const unit = (Math.floor(strip / unitStrips) * unitStride) % units;
+    const place = unit * unitStrips + (strip % unitStrips);
+    const block = Math.floor(place / 16);
+    for (let lane = 0; lane < 4; lane++) {
+      const pixel = (place % 16) * 4 + lane;
+      const x = 8 * (block % columns) + (pixel % 8);
+      const y = 8 * Math.floor(block / columns) + Math.floor(pixel / 8);
+      if (x < width && y < height) pixels.push(y * width + x);
+    }
+  }
+  return pixels;
+}
+
 describe("a pass", () => {
-  test("is cut into slices of rows that end at the last one", () => {
-    const slices = sampleTo(
-      new Progress(20),
-      1,
-      () => 8,
-      () => 1,
-    );
-    expect(slices.map(({ firstRow, endRow }) => [firstRow, endRow])).toEqual([
-      [0, 8],
-      [8, 16],
-      [16, 20],
-    ]);
+  test("that fits is one slice, in the order of the film", () => {
+    expect(film().next(PIXELS, 1, 1)).toEqual({
+      ...{ half: 0, firstSample: 0, sampleCount: 1, paths: PIXELS },
+      ...{ firstStrip: 0, endStrip: 64, unitStrips: 1, unitStride: 1 },
+    });
   });
 
-  test("keeps its half and count when the limits change under way", () => {
-    const progress = new Progress(16);
-    const first = progress.next(8, 4, 100);
+  test("keeps its half, count and order when the limits change under way", () => {
+    const progress = film();
+    const first = progress.next(512, 4, 100);
     progress.finish(first);
-    const second = progress.next(8, 1, 100);
-    expect(first).toEqual({ half: 0, firstSample: 0, count: 4, firstRow: 0, endRow: 8 });
-    expect(second).toEqual({ half: 0, firstSample: 0, count: 4, firstRow: 8, endRow: 16 });
+    const second = progress.next(ALL, 1, 100);
+    expect(first).toMatchObject({ half: 0, firstSample: 0, sampleCount: 4, firstStrip: 0, endStrip: 32 });
+    expect(second).toEqual({ ...first, firstStrip: 32, endStrip: 64 });
   });
 
   test("counts only when it is complete", () => {
-    const progress = new Progress(16);
-    progress.finish(progress.next(8, 4, 100));
-    expect(progress.samples).toBe(0);
-    progress.finish(progress.next(8, 4, 100));
-    expect(progress.samples).toBe(4);
+    const progress = film();
+    progress.finish(progress.next(512, 4, 100));
+    expect([progress.samples, progress.isComplete]).toEqual([0, false]);
+    progress.finish(progress.next(512, 4, 100));
+    expect([progress.samples, progress.isComplete]).toEqual([4, true]);
   });
 
   test("asked for again without being finished is the same slice", () => {
-    const progress = new Progress(16);
-    expect(progress.next(8, 4, 100)).toEqual(progress.next(8, 4, 100));
+    const progress = film();
+    expect(progress.next(512, 4, 100)).toEqual(progress.next(512, 4, 100));
+  });
+
+  test("takes a strip of four pixels at least, however little is allowed", () => {
+    expect(film().next(0, 1, 1)).toMatchObject({ firstStrip: 0, endStrip: 1, paths: 4 });
+  });
+
+  test("is cut at blocks, so that no lane idles, where a slice has many", () => {
+    const progress = new Progress(640, 480);
+    const slices = sampleTo(
+      progress,
+      1,
+      () => 10_001,
+      () => 1,
+    );
+    expect(slices.length).toBe(Math.ceil(4800 / Math.floor(10_001 / 64)));
+    for (const { endStrip } of slices) expect(endStrip % 16).toBe(0);
+  });
+
+  test.each([
+    [640, 480, 20_000],
+    [640, 480, 400],
+    [1920, 1080, 24_000],
+    [8192, 8192, 100_000],
+  ])("of %i × %i pixels in slices of %i paths spreads each over the whole picture", (width, height, paths) => {
+    const progress = new Progress(width, height);
+    const slice = progress.next(paths, 1, 1);
+    const rows = pixelsOf(slice, width, height).map((pixel) => Math.floor(pixel / width));
+    // Every eighth of the picture's height gets its share, but for half of it.
+    for (let band = 0; band < 8; band++) {
+      const inBand = rows.filter((row) => Math.floor((8 * row) / height) === band).length;
+      expect(inBand).toBeGreaterThan((0.5 * rows.length) / 8);
+      expect(inBand).toBeLessThan((1.5 * rows.length) / 8);
+    }
   });
 });
 
 describe("halves", () => {
   test("take turns of equal size", () => {
     const slices = sampleTo(
-      new Progress(8),
+      film(),
       12,
-      () => 8,
+      () => ALL,
       () => 3,
     );
-    expect(slices.map(({ half, firstSample, count }) => [half, firstSample, count])).toEqual([
+    expect(slices.map(({ half, firstSample, sampleCount }) => [half, firstSample, sampleCount])).toEqual([
       [0, 0, 3],
       [1, 0, 3],
       [0, 3, 3],
@@ -78,74 +128,76 @@ describe("halves", () => {
   });
 
   test.each([1, 2, 3, 7, 16, 33])("hold equally many of %i samples, or one more in the first", (target) => {
-    const progress = new Progress(8);
+    const progress = film();
     const slices = sampleTo(
       progress,
       target,
-      () => 8,
+      () => ALL,
       () => 16,
     );
-    const held = (half: 0 | 1) => slices.filter((s) => s.half === half).reduce((sum, { count }) => sum + count, 0);
+    const held = (half: 0 | 1) => slices.filter((s) => s.half === half).reduce((sum, s) => sum + s.sampleCount, 0);
     expect([held(0), held(1)]).toEqual([Math.ceil(target / 2), Math.floor(target / 2)]);
     expect(progress.samples).toBe(target);
     expect(progress.isBalanced).toBe(target % 2 === 0);
   });
 
   test("are unbalanced while a pass is under way", () => {
-    const progress = new Progress(16);
+    const progress = film();
     expect(progress.isBalanced).toBe(true);
-    progress.finish(progress.next(8, 1, 100));
+    progress.finish(progress.next(128, 1, 100));
     expect(progress.isBalanced).toBe(false);
   });
 });
 
-test.each([1, 2, 3])("every row gets every sample exactly once, whatever the limits, seed %i", (seed) => {
+test.each([1, 2, 3])("every pixel gets every sample exactly once, whatever the limits, seed %i", (seed) => {
   const random = randomOf(seed);
-  const height = 1 + Math.floor(50 * random());
-  const progress = new Progress(height);
-  const limits = [() => 1 + Math.floor(2 * height * random()), () => 1 + Math.floor(9 * random())] as const;
+  const [width, height] = [1 + Math.floor(50 * random()), 1 + Math.floor(50 * random())];
+  const progress = new Progress(width, height);
+  const limits = [() => 3 * width * height * random() ** 3, () => 1 + Math.floor(9 * random())] as const;
   // In steps, as calls of sample(n) would.
   const slices = [3, 4, 20, 21, 50].flatMap((target) => sampleTo(progress, target, ...limits));
 
-  const seen = new Map<string, number>();
-  for (const { half, firstSample, count, firstRow, endRow } of slices) {
-    expect(endRow).toBeGreaterThan(firstRow);
-    for (let row = firstRow; row < endRow; row++) {
-      for (let i = 0; i < count; i++) {
-        const key = `row ${row}, half ${half}, sample ${firstSample + i}`;
-        seen.set(key, (seen.get(key) ?? 0) + 1);
+  const seen = new Uint8Array(2 * width * height * 50);
+  let paths = 0;
+  for (const slice of slices) {
+    paths += slice.paths;
+    for (const pixel of pixelsOf(slice, width, height)) {
+      for (let i = 0; i < slice.sampleCount; i++) {
+        seen[(slice.half * width * height + pixel) * 50 + slice.firstSample + i]! += 1;
       }
     }
   }
-  expect(seen.size).toBe(height * progress.samples);
-  expect([...seen.values()].every((times) => times === 1)).toBe(true);
+  expect(Math.max(...seen)).toBe(1);
+  expect(seen.reduce((sum, times) => sum + times)).toBe(50 * width * height);
+  expect(paths).toBeCloseTo(50 * width * height, 6);
   expect(progress.samples).toBe(50);
 });
 
 test.each([[64], [1, 63], [5, 5, 5, 49]])("64 samples taken as %j and more leave both halves with 32", (...steps) => {
-  const progress = new Progress(4);
+  const progress = film();
   let target = 0;
   let first = 0;
   for (const step of steps) {
     target += step;
-    for (const { half, count } of sampleTo(
+    for (const { half, sampleCount } of sampleTo(
       progress,
       target,
-      () => 8,
+      () => ALL,
       () => 16,
-    ))
-      first += half === 0 ? count : 0;
+    )) {
+      first += half === 0 ? sampleCount : 0;
+    }
   }
   expect([progress.samples, first]).toEqual([64, 32]);
 });
 
 test("there is no limit to an endless picture", () => {
-  expect(new Progress(8).next(8, 2, Number.POSITIVE_INFINITY).count).toBe(2);
+  expect(film().next(ALL, 2, Number.POSITIVE_INFINITY).sampleCount).toBe(2);
 });
 
 test("a slice that no pass is under way for is a mistake", () => {
-  const progress = new Progress(8);
-  const slice = progress.next(8, 1, 1);
+  const progress = film();
+  const slice = progress.next(ALL, 1, 1);
   progress.finish(slice);
   expect(() => progress.finish(slice)).toThrow(RangeError);
 });

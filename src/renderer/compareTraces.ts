@@ -1,0 +1,77 @@
+import type { CompiledScene } from "../compile/compileScene";
+import { sleep, spinsInNode } from "../gpu/device";
+import { Film } from "../gpu/film";
+import { Readback } from "../gpu/readback";
+import type { SceneGeometry } from "../gpu/sceneGeometry";
+import { type FrameUniforms, TracePass } from "../gpu/tracePass";
+import type { Pace } from "./pace";
+import type { Program } from "./program";
+import { Progress, type Slice } from "./progress";
+import { takeSlices } from "./takeSlices";
+
+/** What the dispatches of one accumulation have in common. */
+export type SharedUniforms = Omit<FrameUniforms, keyof Slice>;
+
+/** A program and the values it reads. */
+export type Contender = { readonly program: Program; readonly compiled: CompiledScene };
+
+// Milliseconds of each measurement: less than a frame, long against what starting it takes.
+const MEASURED_MS = 4;
+// Until so much work is found: each step multiplies it.
+const MOST_STEPS = 6;
+// In turns, so that what else the adapter does meanwhile is shared.
+const TURNS = [0, 1, 1, 0] as const;
+const MOST_SAMPLES = 4096;
+
+/**
+ * Times two programs that trace the same picture, on a film of their own.
+ *
+ * @param shared - for that film, of the size that it says.
+ * @param pace - learns from it.
+ * @returns how many times as long as the first the second one takes.
+ */
+export async function compareTraces(
+  device: GPUDevice,
+  contenders: readonly [Contender, Contender],
+  geometry: SceneGeometry | undefined,
+  shared: SharedUniforms,
+  pace: Pace,
+): Promise<number> {
+  const [width, height] = [shared.size[0]!, shared.size[1]!];
+  const film = new Film(device, width, height);
+  const readback = new Readback(device);
+  const traces = contenders.map(
+    ({ program, compiled }) => new TracePass(device, program.pipelines, compiled.uniform, geometry, film),
+  );
+  const measure = async (trace: TracePass): Promise<number> => {
+    const { dispatchSamples } = pace;
+    const limits = { paths: pace.pathsFor(MEASURED_MS), samples: MOST_SAMPLES, dispatchSamples, isWatched: false };
+    const slices = takeSlices(new Progress(width, height), limits);
+    const paths = slices.reduce((sum, slice) => sum + slice.paths, 0);
+    const encoder = device.createCommandEncoder({ label: "compare" });
+    trace.encode(
+      encoder,
+      slices.map((slice) => ({ ...shared, ...slice })),
+      readback.timestampWrites,
+    );
+    readback.encode(encoder, film, undefined);
+    const submittedAt = performance.now();
+    device.queue.submit([encoder.finish()]);
+    if (spinsInNode(device)) await sleep(pace.predictMs(paths));
+    const { gpuMs } = await readback.read(false);
+    const ms = gpuMs ?? performance.now() - submittedAt;
+    pace.observe(paths, ms);
+    return ms / paths;
+  };
+
+  try {
+    for (let step = 0; step < MOST_STEPS && pace.predictMs(pace.pathsFor(MEASURED_MS)) < MEASURED_MS / 2; step++) {
+      await measure(traces[0]!);
+    }
+    const times: [number, number] = [0, 0];
+    for (const turn of TURNS) times[turn] += await measure(traces[turn]!);
+    return times[1] / times[0];
+  } finally {
+    for (const resource of [...traces, readback, film]) resource.dispose();
+  }
+}
