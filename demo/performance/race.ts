@@ -77,7 +77,7 @@ export class Race {
     // An even number fills both halves of the film equally.
     const affordable = samples + 2 * Math.max(1, Math.round((perSecond * TURN_S) / 2));
     const target = Math.min(lane.nextPoint, affordable);
-    lane.seconds += await advance(tracer, target, perSecond);
+    lane.seconds += await advance(tracer, target);
     if (target < lane.nextPoint && lane.seconds < LIMIT_S) return false;
     await this.#addPoint(lane);
     if (target === lane.nextPoint) lane.nextPoint = pointAfter(target);

@@ -1,17 +1,12 @@
-/** What an attribute that holds a number may hold. Anything else counts as if the attribute were absent. */
-export type NumberRule = {
-  readonly min: number;
-  readonly max: number;
-  readonly isInteger: boolean;
-};
+import { type NumberRange, SETTING_RANGES } from "../renderer/checkSettings";
 
-/** The attributes that are settings of the tracer, by the name of the setting. */
+/** The attributes that are settings of the tracer, by the name of the setting, and what they may be. */
 export const SETTING_ATTRIBUTES = {
-  maxBounces: { attribute: "max-bounces", min: 0, max: 1024, isInteger: true },
-  samplesPerFrame: { attribute: "samples-per-frame", min: 1, max: 1024, isInteger: true },
-  lightSamples: { attribute: "light-samples", min: 1, max: 1024, isInteger: true },
-  targetError: { attribute: "target-error", min: 0, max: Number.MAX_VALUE, isInteger: false },
-  maxSamples: { attribute: "max-samples", min: 1, max: Number.POSITIVE_INFINITY, isInteger: true },
+  maxBounces: { attribute: "max-bounces", ...SETTING_RANGES.maxBounces },
+  samplesPerFrame: { attribute: "samples-per-frame", ...SETTING_RANGES.samplesPerFrame },
+  lightSamples: { attribute: "light-samples", ...SETTING_RANGES.lightSamples },
+  targetError: { attribute: "target-error", ...SETTING_RANGES.targetError },
+  maxSamples: { attribute: "max-samples", ...SETTING_RANGES.maxSamples },
 } as const;
 
 /** A setting that has an attribute. */
@@ -20,7 +15,7 @@ export type SettingName = keyof typeof SETTING_ATTRIBUTES;
 export const SETTING_NAMES = Object.keys(SETTING_ATTRIBUTES) as readonly SettingName[];
 
 /** Stops; 2^±32 is more than any display or scene spans, and keeps the product finite. */
-export const EXPOSURE_RULE: NumberRule = { min: -32, max: 32, isInteger: false };
+export const EXPOSURE_RULE: NumberRange = { min: -32, max: 32, isInteger: false };
 
 /** When the scene is fetched: at once, or when the element is less than a screen away from what is seen of the page. */
 export const LOADING_MODES = ["eager", "lazy"] as const;
@@ -58,7 +53,7 @@ export function parseKeyword<T extends string>(text: string | null, words: reado
  * Reads a number as HTML does, forgivingly: an absent, malformed or out-of-range value is `undefined` and the default
  * applies.
  */
-export function parseNumber(text: string | null, rule: NumberRule): number | undefined {
+export function parseNumber(text: string | null, rule: NumberRange): number | undefined {
   if (text === null || text.trim() === "") return undefined;
   const value = Number(text);
   if (!(value >= rule.min && value <= rule.max)) return undefined;

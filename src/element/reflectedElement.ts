@@ -4,7 +4,6 @@ import {
   EXPOSURE_RULE,
   LOADING_MODES,
   type LoadingMode,
-  type NumberRule,
   parseKeyword,
   parseNumber,
   SETTING_ATTRIBUTES,
@@ -192,7 +191,7 @@ export class ReflectedElement extends BrowserElement {
   }
 
   #number(name: SettingName): number | undefined {
-    const rule: NumberRule & { attribute: string } = SETTING_ATTRIBUTES[name];
+    const rule = SETTING_ATTRIBUTES[name];
     return parseNumber(this.getAttribute(rule.attribute), rule);
   }
 

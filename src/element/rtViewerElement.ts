@@ -116,6 +116,7 @@ export class RtViewerElement extends ReflectedElement {
         this.#emit("devicelost", detail);
       },
       onError: (error) => this.#fail(error),
+      onRefusal: (error) => this.#emit("error", { error }),
     });
   }
 

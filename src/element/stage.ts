@@ -23,6 +23,8 @@ export type StageListener = {
   /** The picture is gone, and another one of the same scene is under way. */
   readonly onDeviceLost: (detail: DeviceLostDetail) => void;
   readonly onError: (error: Error) => void;
+  /** Settings can't be used; those before stay. */
+  readonly onRefusal: (error: Error) => void;
 };
 
 const PROGRESS_INTERVAL_MS = 100;
@@ -306,7 +308,12 @@ export class Stage {
   }
 
   #applySettings(): void {
-    if (this.#view !== undefined) this.#view.settings = this.#effectiveSettings();
+    if (this.#view === undefined) return;
+    try {
+      this.#view.settings = this.#effectiveSettings();
+    } catch (error) {
+      this.#listener.onRefusal(toError(error));
+    }
   }
 
   /** A pause is a limit of one sample: what has more of them stays, and a new view gets one. */

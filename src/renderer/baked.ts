@@ -4,8 +4,15 @@ import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { TracePass } from "../gpu/tracePass";
 import { createProgram, type Program, programKey } from "./program";
 
-/** What a program reads and writes besides the scene's values. */
-export type Target = { readonly geometry: SceneGeometry | undefined; readonly film: Film };
+/** What is shown, and what a program reads and writes besides the scene's values. */
+export type Bakeable = {
+  readonly geometry: SceneGeometry | undefined;
+  readonly film: Film;
+  /** What the constants come from: while these are the same objects, so are the constants. */
+  readonly sources: readonly object[];
+  /** Compiles it with its values as constants. */
+  readonly bake: () => CompiledScene;
+};
 
 /**
  * The program of a scene at rest, with the scene's values as constants. It is the same estimator with the same points as
@@ -15,7 +22,7 @@ export class Baked {
   readonly #device: GPUDevice;
   #program: Program | undefined;
   #trace: TracePass | undefined;
-  #target: Target | undefined;
+  #shown: Bakeable | undefined;
   #compiling: Promise<void> | undefined;
   /** Counts the changes that make a compilation under way worthless. */
   #changes = 0;
@@ -38,41 +45,42 @@ export class Baked {
    *
    * @param isQuicker - asked whether it is worth it.
    */
-  compile(
-    scene: () => CompiledScene,
-    target: Target,
-    isQuicker: (program: Program, scene: CompiledScene) => Promise<boolean>,
-  ): Promise<void> {
+  compile(shown: Bakeable, isQuicker: (program: Program, scene: CompiledScene) => Promise<boolean>): Promise<void> {
     if (this.#program) return Promise.resolve();
-    this.#compiling ??= this.#compile(scene(), target, isQuicker).finally(() => {
+    this.#compiling ??= this.#compile(shown, isQuicker).finally(() => {
       this.#compiling = undefined;
     });
     return this.#compiling;
   }
 
   async #compile(
-    scene: CompiledScene,
-    target: Target,
+    shown: Bakeable,
     isQuicker: (program: Program, scene: CompiledScene) => Promise<boolean>,
   ): Promise<void> {
     const changes = this.#changes;
+    this.#shown = shown;
+    const scene = shown.bake();
     const program = await createProgram(this.#device, scene);
     if (changes !== this.#changes) return;
     const isWorthIt = await isQuicker(program, scene);
     if (changes !== this.#changes || !isWorthIt) return;
-    this.#program = program;
-    this.#use(program, scene, target);
+    this.#use(program, scene, shown);
   }
 
   /** Follows a change: the program stays in use if it fits the scene as it is now. */
-  change(scene: () => CompiledScene, target: Target): void {
+  change(shown: Bakeable): void {
+    const before = this.#shown;
+    const isSame = before !== undefined && shown.sources.every((source, i) => source === before.sources[i]);
+    const hasSameTarget = shown.film === before?.film && shown.geometry === before.geometry;
+    if (isSame && hasSameTarget) return;
     this.#changes++;
     if (!this.#program || !this.#trace) return;
-    const compiled = scene();
+    const compiled = shown.bake();
     if (programKey(compiled) !== this.#program.key) this.drop();
-    else if (target.film === this.#target?.film && target.geometry === this.#target.geometry) {
+    else if (hasSameTarget) {
+      this.#shown = shown;
       this.#trace.writeScene(compiled.uniform);
-    } else this.#use(this.#program, compiled, target);
+    } else this.#use(this.#program, compiled, shown);
   }
 
   /** Ends the program's use. */
@@ -81,11 +89,13 @@ export class Baked {
     this.#trace?.dispose();
     this.#trace = undefined;
     this.#program = undefined;
+    this.#shown = undefined;
   }
 
-  #use(program: Program, scene: CompiledScene, target: Target): void {
+  #use(program: Program, scene: CompiledScene, shown: Bakeable): void {
     this.#trace?.dispose();
-    this.#target = target;
-    this.#trace = new TracePass(this.#device, program.pipelines, scene.uniform, target.geometry, target.film);
+    this.#program = program;
+    this.#shown = shown;
+    this.#trace = new TracePass(this.#device, program.pipelines, scene.uniform, shown.geometry, shown.film);
   }
 }

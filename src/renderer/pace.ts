@@ -30,20 +30,21 @@ export class Pace {
     return Math.max(1, Math.min(MOST_SAMPLES, Math.floor(this.#firstPaths / FIRST_PIXELS)));
   }
 
-  get #isKnown(): boolean {
+  /** Whether anything has been measured. */
+  get isKnown(): boolean {
     return this.#paths > 0;
   }
 
   /** Paths that are likely to fit `budgetMs`. */
   pathsFor(budgetMs: number): number {
-    if (!this.#isKnown) return this.#firstPaths;
+    if (!this.isKnown) return this.#firstPaths;
     const most = this.#mostPaths * Math.max(GROWTH, this.#mostPaths / TELLING_PATHS);
     return Math.min((budgetMs * this.#paths) / this.#ms, most);
   }
 
   /** Milliseconds that so many paths are likely to take; 0 while nothing is known. */
   predictMs(paths: number): number {
-    return this.#isKnown ? (paths * this.#ms) / this.#paths : 0;
+    return this.isKnown ? (paths * this.#ms) / this.#paths : 0;
   }
 
   /** Takes note that so many paths took `ms` > 0. Larger work says more than small work, which starting it makes slow. */

@@ -10,8 +10,9 @@ import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
-import { Baked, type Target } from "./baked";
+import { type Bakeable, Baked } from "./baked";
 import { cameraBasis, lampPixels, rayStart } from "./camera";
+import { checkSettings } from "./checkSettings";
 import type { SharedUniforms } from "./compareTraces";
 import { Display, readPicture, type View } from "./display";
 import { ErrorChecks } from "./errorChecks";
@@ -119,11 +120,13 @@ export class PathTracer {
   /**
    * @throws {SceneError} with every issue, if the scene breaks the format.
    * @throws {UnsupportedError} if it holds something that can't be rendered yet.
+   * @throws {RtViewerError} if a setting can't be used.
    * @throws {WebGpuError} if there is no WebGPU or no adapter.
    */
   static async create(options: PathTracerOptions): Promise<PathTracer> {
     const settings = { ...DEFAULT_SETTINGS, ...options.settings };
     const scene = parseScene(options.scene);
+    checkSettings(settings, scene.maxBounces);
     const geometry = needsGeometry(scene) ? await prepareGeometry(scene, options) : undefined;
     const compiled = compileScene(scene, settings, undefined, geometry?.source);
     const device = options.device ?? (await requestDevice());
@@ -210,9 +213,11 @@ export class PathTracer {
    * scene until that is done.
    *
    * @throws {SceneError | UnsupportedError} The old scene stays.
+   * @throws {RtViewerError} if the settings can't be used with it.
    */
   async setScene(scene: Scene, options: SceneOptions = {}): Promise<void> {
     const resolved = parseScene(scene);
+    checkSettings(this.#settings, resolved.maxBounces);
     await this.#install({ scene: resolved, camera: resolved.camera }, options);
   }
 
@@ -237,16 +242,22 @@ export class PathTracer {
     this.#restart();
   }
 
-  /** Changes settings. Accumulation restarts if the change matters to the image. */
+  /**
+   * Changes settings. Accumulation restarts if the change matters to the image.
+   *
+   * @throws {RtViewerError} if one can't be used. All stay as they are.
+   */
   update(settings: Partial<Settings>): void {
     const before = this.#settings;
-    this.#settings = { ...before, ...settings };
+    const next = { ...before, ...settings };
+    checkSettings(next, (this.#pending ?? this).scene.maxBounces);
+    this.#settings = next;
     this.#meter.updateConverged(this.#settings);
-    const shaping = ["maxBounces", "lightSamples", "estimator", "sampler", "seed", "constants"] as const;
-    if (shaping.every((key) => before[key] === this.#settings[key])) return;
-    this.#stale = true;
+    const isAnother = (key: keyof Settings) => before[key] !== this.#settings[key];
+    const isCompiledAnew = (["lightSamples", "estimator", "sampler", "constants"] as const).some(isAnother);
+    if (isCompiledAnew || isAnother("maxBounces") || isAnother("seed")) this.#stale = true;
     // What is pending is compiled for the newest settings as it is.
-    if (!this.#pending) this.#install({ scene: this.#scene, camera: this.#camera }).catch(this.#fail);
+    if (isCompiledAnew && !this.#pending) this.#install({ scene: this.#scene, camera: this.#camera }).catch(this.#fail);
   }
 
   /** Starts the accumulation anew. */
@@ -268,7 +279,9 @@ export class PathTracer {
     const end = Math.min(this.#progress.samples + count, this.#settings.maxSamples);
     while (this.#progress.samples < end && !this.stats.converged && !this.#disposed && this.#failure === undefined) {
       const samples = Math.min(end - this.#progress.samples, this.#allowedSamples);
-      if (samples > 0 && !this.#inFlight.isFull) {
+      // The first work says how much is right for the next.
+      const isBusy = this.#inFlight.isFull || !(this.#meter.pace.isKnown || this.#inFlight.isEmpty);
+      if (samples > 0 && !isBusy) {
         this.#work(BATCH_BUDGET_MS, samples, end, false).catch(this.#fail);
       } else if (!this.#inFlight.isEmpty) await this.#inFlight.any();
       else break; // maxSamples has come down
@@ -285,7 +298,7 @@ export class PathTracer {
     if (!this.#settings.constants || this.#disposed) return;
     if (this.#stale) this.#restart();
     if (this.#settings.constants === "auto" && this.#unbakeable === this.#program) return;
-    await this.#baked.compile(this.#bakedScene, this.#target, this.#isQuicker);
+    await this.#baked.compile(this.#bakeable, this.#isQuicker);
     if (this.#disposed) this.#baked.drop();
     else this.#meter.useProgram(this.program);
   }
@@ -434,12 +447,13 @@ export class PathTracer {
     return { scene, camera, width, height, compiled: this.#compiled, geometry: this.#geometry };
   };
 
-  /** The scene as it is, with its values as constants. */
-  readonly #bakedScene = (): CompiledScene =>
-    compileScene(this.#scene, this.#settings, this.#camera, this.#geometry?.source);
-
-  get #target(): Target {
-    return { geometry: this.#geometry, film: this.#film };
+  get #bakeable(): Bakeable {
+    return {
+      geometry: this.#geometry,
+      film: this.#film,
+      sources: [this.#compiled, this.#camera],
+      bake: () => compileScene(this.#scene, this.#settings, this.#camera, this.#geometry?.source),
+    };
   }
 
   #createTrace(): TracePass {
@@ -470,7 +484,7 @@ export class PathTracer {
     this.#shared = this.#sharedUniforms(this.width, this.height);
     this.#startPace();
     this.#trace.writeScene(this.#compiled.uniform);
-    if (this.#settings.constants) this.#baked.change(this.#bakedScene, this.#target);
+    if (this.#settings.constants) this.#baked.change(this.#bakeable);
     else this.#baked.drop();
     this.#meter.useProgram(this.program);
     this.#progress = new Progress(this.width, this.height);

@@ -20,6 +20,7 @@ test("every attribute is a property and every property an attribute", async ({ p
     ["exposure", "exposure", "1.5", 1.5, -2, "-2"],
     ["max-bounces", "maxBounces", "3", 3, 4, "4"],
     ["samples-per-frame", "samplesPerFrame", "2", 2, 8, "8"],
+    ["samples-per-frame", "samplesPerFrame", "many", "auto", "auto", "auto"],
     ["light-samples", "lightSamples", "2", 2, 3, "3"],
     ["target-error", "targetError", "0.01", 0.01, 0.5, "0.5"],
     ["max-samples", "maxSamples", "64", 64, 128, "128"],
