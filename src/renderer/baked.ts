@@ -1,4 +1,5 @@
 import type { CompiledScene } from "../compile/compileScene";
+import { checked } from "../gpu/errorScope";
 import type { Film } from "../gpu/film";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { TracePass } from "../gpu/tracePass";
@@ -47,7 +48,7 @@ export class Baked {
     const program = await createProgram(this.#device, scene);
     if (changes !== this.#changes) return;
     this.#program = program;
-    this.#use(program, scene, target);
+    await checked(this.#device, () => this.#use(program, scene, target));
   }
 
   /** Follows a change: the program stays in use if it fits the scene as it is now. */

@@ -1,10 +1,11 @@
 import { needsGeometry } from "../compile/boundedShapes";
 import { type CompiledScene, compileScene } from "../compile/compileScene";
 import { linkModule } from "../compile/linkProgram";
-import { WebGpuError } from "../errors";
+import { RtViewerError } from "../errors";
 import { adapterName, requestDevice } from "../gpu/device";
 import { ErrorPass } from "../gpu/errorPass";
-import { Film } from "../gpu/film";
+import { scoped } from "../gpu/errorScope";
+import { checkFilmSize, Film } from "../gpu/film";
 import { createComputePipeline } from "../gpu/pipelines";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { type FrameUniforms, TracePass } from "../gpu/tracePass";
@@ -101,17 +102,19 @@ export class PathTracer {
   readonly #fail = (error: unknown): void => {
     this.#failure ??= error;
   };
-  /** A bug of ours or a device out of memory; without this it would be a picture that stays black. */
-  readonly #onDeviceError = ({ error }: GPUUncapturedErrorEvent): void => {
-    this.#fail(new WebGpuError(error.message, { cause: error }));
+  /** Does GPU work. What the device says against it ends this tracer alone: a bug of ours, or a device out of memory. Not nested: the cause comes first. */
+  readonly #guarded = <T>(work: () => T): T => {
+    const { value, error } = scoped(this.device, work);
+    void error.then((failure) => failure && this.#fail(failure));
+    return value;
   };
   #disposed = false;
   #errorAt = Number.NEGATIVE_INFINITY;
 
   /**
    * @throws {SceneError} with every issue, if the scene breaks the format.
-   * @throws {UnsupportedError} if it holds something that can't be rendered yet.
-   * @throws {WebGpuError} if there is no WebGPU or no adapter.
+   * @throws {UnsupportedError} if it holds something that can't be rendered yet, or the device has a limit below what it needs.
+   * @throws {WebGpuError} if there is no WebGPU or no adapter, or the device is out of memory.
    */
   static async create(options: PathTracerOptions): Promise<PathTracer> {
     const settings = { ...DEFAULT_SETTINGS, ...options.settings };
@@ -120,11 +123,19 @@ export class PathTracer {
     const compiled = compileScene(scene, settings, undefined, geometry?.source);
     const device = options.device ?? (await requestDevice());
     try {
+      checkFilmSize(device, options.width, options.height);
       const [program, errorPipeline] = await Promise.all([
         createProgram(device, compiled),
         linkModule("error").then((code) => createComputePipeline(device, "error", code, "sumErrors")),
       ]);
-      return new PathTracer(options, device, settings, scene, geometry, compiled, program, errorPipeline);
+      const { value: tracer, error } = scoped(
+        device,
+        () => new PathTracer(options, device, settings, scene, geometry, compiled, program, errorPipeline),
+      );
+      const failure = await error;
+      if (failure === undefined) return tracer;
+      tracer.dispose();
+      throw failure;
     } catch (error) {
       if (!options.device) device.destroy();
       throw error;
@@ -149,14 +160,13 @@ export class PathTracer {
     this.#compiled = compiled;
     this.#program = program;
     this.#errorPipeline = errorPipeline;
+    this.#geometry = geometry?.upload(device); // first: it throws where there is no room for it
     this.#inFlight = new InFlight(device);
     this.#film = new Film(device, width, height);
     this.#progress = new Progress(height);
     this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
-    this.#geometry = geometry?.upload(device);
     this.#trace = this.#createTrace();
     this.#shared = this.#sharedUniforms();
-    device.addEventListener("uncapturederror", this.#onDeviceError);
     this.#baked = new Baked(device);
     this.#meter = new Meter(adapterName(device));
     this.#meter.useProgram(program);
@@ -217,15 +227,22 @@ export class PathTracer {
     this.#stale = true;
   }
 
-  /** In pixels, at least 1 × 1. */
+  /**
+   * In pixels, at least 1 × 1.
+   *
+   * @throws {UnsupportedError} if the device has a limit below what that needs. The old size stays.
+   */
   resize(width: number, height: number): void {
     if (this.#disposed || (width === this.width && height === this.height)) return;
+    checkFilmSize(this.device, width, height);
     this.#film.dispose();
     this.#errorPass.dispose();
     this.#trace.dispose();
-    this.#film = new Film(this.device, width, height);
-    this.#errorPass = new ErrorPass(this.device, this.#errorPipeline, this.#film);
-    this.#trace = this.#createTrace();
+    this.#guarded(() => {
+      this.#film = new Film(this.device, width, height);
+      this.#errorPass = new ErrorPass(this.device, this.#errorPipeline, this.#film);
+      this.#trace = this.#createTrace();
+    });
     this.#restart();
   }
 
@@ -284,14 +301,23 @@ export class PathTracer {
     else this.#meter.useProgram(this.program);
   }
 
-  /** Mean radiance: RGBA, linear Rec. 709, alpha 1, top row first, `width · height · 4` values. */
-  readRadiance(): Promise<Float32Array> {
-    return this.#film.read();
+  /**
+   * Mean radiance at the moment of the call: RGBA, linear Rec. 709, alpha 1, top row first, `width · height · 4` values.
+   *
+   * @throws {RtViewerError} after `dispose()`.
+   * @throws {WebGpuError} if the device fails, or is lost meanwhile.
+   */
+  async readRadiance(): Promise<Float32Array> {
+    return this.#filmToRead().read();
   }
 
-  /** The picture as `present` would show it: sRGB bytes, RGBA, top row first. */
-  readPicture(view: View = {}): Promise<Uint8ClampedArray> {
-    return readPicture(this.device, this.#film, view);
+  /**
+   * The picture at the moment of the call as `present` would show it: sRGB bytes, RGBA, top row first.
+   *
+   * @throws {RtViewerError} as `readRadiance` does, and if it has more pixels on a side than a texture of the device.
+   */
+  async readPicture(view: View = {}): Promise<Uint8ClampedArray> {
+    return readPicture(this.device, this.#filmToRead(), view);
   }
 
   /**
@@ -333,6 +359,7 @@ export class PathTracer {
    * keeps its last picture. The caller has configured the context with this tracer's `device`.
    *
    * @returns whether it drew.
+   * @throws {UnsupportedError} if the canvas is larger than a texture of the device.
    */
   present(context: GPUCanvasContext, view: View = {}): boolean {
     if (this.#disposed || this.#progress.samples === 0) return false;
@@ -341,7 +368,8 @@ export class PathTracer {
       this.#display ??= this.#createDisplay(context.getConfiguration()!.format).catch(this.#fail);
       return false;
     }
-    this.#display.draw(this.#film, context.getCurrentTexture(), view);
+    const display = this.#display;
+    this.#guarded(() => display.draw(this.#film, context.getCurrentTexture(), view));
     return true;
   }
 
@@ -350,7 +378,6 @@ export class PathTracer {
     if (this.#disposed) return;
     this.#disposed = true;
     this.#overtake.abort();
-    this.device.removeEventListener("uncapturederror", this.#onDeviceError);
     this.#trace.dispose();
     this.#geometry?.dispose();
     this.#baked.drop();
@@ -363,13 +390,19 @@ export class PathTracer {
   }
 
   async #createDisplay(format: GPUTextureFormat): Promise<void> {
-    const display = await Display.create(this.device, this.#film, format);
+    const display = await Display.create(this.device, format);
     if (this.#disposed) display.dispose();
     else this.#display = display;
   }
 
+  #filmToRead(): Film {
+    if (this.#disposed) throw new RtViewerError("the path tracer has been disposed of: it has no picture any more");
+    return this.#film;
+  }
+
   /** Shows something else, once its geometry is sorted and a program that fits it is compiled. A newer call overtakes an older one. */
   async #install(next: Shown, options: SceneOptions = {}): Promise<void> {
+    if (this.#disposed) return;
     this.#overtake.abort();
     this.#overtake = new AbortController();
     const { signal } = this.#overtake;
@@ -402,20 +435,21 @@ export class PathTracer {
   }
 
   #show({ scene, camera }: Shown, geometry: Prepared | undefined, compiled: CompiledScene, program: Program): void {
+    const previous = this.#geometry;
+    const hasSameGeometry = geometry?.source === previous?.source;
+    // First, because the device may have no room for it: then the old scene stays.
+    const uploaded = hasSameGeometry ? previous : this.#guarded(() => geometry?.upload(this.device));
     this.#pending = undefined;
     this.#scene = scene;
     this.#camera = camera;
     this.#compiled = compiled;
     this.#stale = true;
-    const hasSameGeometry = geometry?.source === this.#geometry?.source;
     if (program === this.#program && hasSameGeometry) return;
-    if (!hasSameGeometry) {
-      this.#geometry?.dispose();
-      this.#geometry = geometry?.upload(this.device);
-    }
+    if (!hasSameGeometry) previous?.dispose();
+    this.#geometry = uploaded;
     this.#program = program;
     this.#trace.dispose();
-    this.#trace = this.#createTrace();
+    this.#trace = this.#guarded(() => this.#createTrace());
     this.#restart();
   }
 
@@ -438,6 +472,10 @@ export class PathTracer {
   }
 
   #restart(): void {
+    this.#guarded(() => this.#startAnew());
+  }
+
+  #startAnew(): void {
     this.#stale = false;
     this.#restartedAt = performance.now();
     this.#shared = this.#sharedUniforms();
@@ -474,14 +512,16 @@ export class PathTracer {
     const wantsError = samples >= 2 && (isLast || now - this.#errorAt > ERROR_INTERVAL_MS);
     if (wantsError) this.#errorAt = now;
 
-    const encoder = this.device.createCommandEncoder({ label: "sample" });
     const trace = this.#baked.trace ?? this.#trace;
     const { half, firstSample, count: sampleCount, firstRow, endRow } = slice;
     const frame = { ...this.#shared, half, firstSample, sampleCount, firstRow, endRow };
-    trace.encode(encoder, frame, readback.timestampWrites);
-    if (wantsError) this.#errorPass.encode(encoder);
-    readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
-    this.device.queue.submit([encoder.finish()]);
+    this.#guarded(() => {
+      const encoder = this.device.createCommandEncoder({ label: "sample" });
+      trace.encode(encoder, frame, readback.timestampWrites);
+      if (wantsError) this.#errorPass.encode(encoder);
+      readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
+      this.device.queue.submit([encoder.finish()]);
+    });
 
     const submit = this.#meter.submit(slice, width);
     const waitMs = patient ? submit.wakeAt - submit.at : 0;
