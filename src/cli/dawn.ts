@@ -1,7 +1,7 @@
 import { constants } from "node:os";
 import { dirname, join } from "node:path";
 import { create } from "webgpu";
-import { requestDevice } from "../gpu/device";
+import { openDevice } from "../gpu/device";
 import { softwareAdapterManifest } from "./chromium";
 
 // dlopen's flag that keeps a library loaded although Node refuses it as an addon (Linux, dlfcn.h).
@@ -26,7 +26,7 @@ export async function requestDawnDevice(): Promise<GPUDevice> {
     }
   }
   instance = create([]);
-  return requestDevice(instance);
+  return openDevice(instance);
 }
 
 /** Loads a shared library for good, so that Dawn's own dlopen finds it by name; false if there is none. */

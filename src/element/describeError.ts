@@ -19,6 +19,7 @@ export function describeError(error: Error): ErrorText {
       lines: ["A smaller scene or a smaller picture may fit.", error.message],
     };
   }
+  if (isLoss(error)) return { title: "The GPU was lost", lines: [error.message] };
   if (error instanceof WebGpuError) return { title: "No picture without WebGPU", lines: [error.message] };
   return { title: "The scene could not be loaded", lines: [error.message] };
 }
@@ -32,6 +33,10 @@ export function missingWebGpu(page: { readonly hasGpu: boolean; readonly isSecur
 
 function isOutOfMemory({ cause }: Error): boolean {
   return "GPUOutOfMemoryError" in globalThis && cause instanceof GPUOutOfMemoryError;
+}
+
+function isLoss({ cause }: Error): boolean {
+  return "GPUDeviceLostInfo" in globalThis && cause instanceof GPUDeviceLostInfo;
 }
 
 function describeIssues(issues: readonly SceneIssue[]): ErrorText {

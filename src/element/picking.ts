@@ -22,9 +22,13 @@ export function bindPicking(host: HTMLElement, canvas: HTMLElement, target: Pick
     const tracer = target.tracer();
     if (tracer === undefined) return;
     const { scene } = tracer;
-    const picked = await tracer.pick(x * tracer.width, y * tracer.height);
-    if (target.tracer()?.scene === scene) target.onPick(picked);
+    try {
+      const picked = await tracer.pick(x * tracer.width, y * tracer.height);
+      if (target.tracer()?.scene === scene) target.onPick(picked);
+    } catch (error) {
+      if (target.tracer() === tracer) target.onError(error as Error); // a lost device is replaced, and told of as such
+    }
   };
-  watchClicks(canvas, ({ x, y }) => void pick(x, y).catch(target.onError), signal);
+  watchClicks(canvas, ({ x, y }) => void pick(x, y), signal);
   host.addEventListener("keydown", ({ key }) => void (key === "Escape" && target.onPick(undefined)), { signal });
 }

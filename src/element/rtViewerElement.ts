@@ -191,33 +191,39 @@ export class RtViewerElement extends ReflectedElement {
     }
   }
 
-  /** Throws away what has been sampled and starts over. */
+  /** Throws away what has been sampled and starts over. Where a message stands in place of the picture, loads the scene again. */
   reset(): void {
-    this.tracer?.reset();
+    if (this.#message.isShown) this.#load();
+    else this.tracer?.reset();
   }
 
   /**
    * What has been sampled, as the tracer gives it: RGBA, linear Rec. 709, top row first, `tracer.width · tracer.height`
    * pixels.
    *
-   * @throws {RtViewerError} before `ready`.
+   * @throws {RtViewerError} before `ready`, and if the device fails or is lost meanwhile.
    */
   async readRadiance(): Promise<Float32Array> {
     return this.#sampledTracer().readRadiance();
   }
 
   /**
-   * What has been sampled, as an image file.
+   * What has been sampled at the moment of the call, as an image file.
    *
    * @param type - `"image/png"` by default, or another type that the browser's canvas encodes: tone-mapped. Of
    * `"image/x-portable-floatmap"` it is linear float, without exposure or tone mapping.
    * @param quality - 0…1, for types that have one.
-   * @throws {RtViewerError} before `ready`.
+   * @throws {RtViewerError} before `ready`, if the device fails or is lost meanwhile, and if the browser cannot encode it.
    */
   async toBlob(type = "image/png", quality?: number): Promise<Blob> {
     const tracer = this.#sampledTracer();
-    const { encodePicture } = await import("./snapshot");
-    return encodePicture(tracer, this.#look(), type, quality);
+    const { width, height } = tracer;
+    const isLinear = type === "image/x-portable-floatmap";
+    const [pixels, { encodePicture }] = await Promise.all([
+      isLinear ? tracer.readRadiance() : tracer.readPicture(this.#look()),
+      import("./snapshot"),
+    ]);
+    return encodePicture(pixels, width, height, type, quality);
   }
 
   /** The picture as a PNG, or as a Portable FloatMap with the radiance as it was sampled. Like `toBlob`. */

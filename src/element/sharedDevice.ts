@@ -1,7 +1,4 @@
-import { requestDevice, sleep } from "../gpu/device";
-
-// After the browser's GPU process has crashed there is no adapter until it is up again. Milliseconds between attempts.
-const RETRY_PAUSES_MS = [100, 300, 900, 2700];
+import { requestDevice } from "../gpu/device";
 
 type Shared = { readonly opening: Promise<GPUDevice>; userCount: number };
 
@@ -13,7 +10,6 @@ export type DeviceLease = {
 };
 
 let shared: Shared | undefined;
-let hasLostOne = false;
 
 /**
  * Gives the one device that all viewers of a page share; after it has been lost, the next one.
@@ -45,28 +41,10 @@ export async function leaseDevice(): Promise<DeviceLease> {
 }
 
 function open(): Shared {
-  const opening = hasLostOne ? requestPatiently() : requestDevice();
-  const opened = { opening, userCount: 0 };
+  const opened = { opening: requestDevice(), userCount: 0 };
   const forget = () => {
     if (shared === opened) shared = undefined;
   };
-  opening
-    .then(async ({ lost }) => {
-      await lost;
-      hasLostOne ||= shared === opened;
-      forget();
-    })
-    .catch(forget);
+  opened.opening.then(({ lost }) => lost).then(forget, forget);
   return opened;
-}
-
-async function requestPatiently(): Promise<GPUDevice> {
-  for (const pauseMs of RETRY_PAUSES_MS) {
-    try {
-      return await requestDevice();
-    } catch {
-      await sleep(pauseMs);
-    }
-  }
-  return requestDevice();
 }

@@ -1,25 +1,30 @@
-import type { View } from "../renderer/display";
-import type { PathTracer } from "../renderer/pathTracer";
+import { RtViewerError } from "../errors";
 import { encodePfm } from "../renderer/pfm";
 
-/** The type of a Portable FloatMap. */
-export const PFM_TYPE = "image/x-portable-floatmap";
-
 /**
- * Puts what has been sampled into a file.
+ * Puts a picture into a file: radiance as a Portable FloatMap, sRGB bytes as what the browser's canvas encodes.
  *
- * @param type - an image type that the browser's canvas encodes, with tone mapping, 8 bits and sRGB; or `PFM_TYPE`: linear
- * float, as sampled.
+ * @param pixels - RGBA, top row first.
+ * @param type - of the file; for radiance it is only its name.
  * @param quality - 0…1, for types that have one.
+ * @throws {RtViewerError} if the browser cannot encode so large a picture.
  */
-export async function encodePicture(tracer: PathTracer, view: View, type: string, quality?: number): Promise<Blob> {
-  const { width, height } = tracer;
-  if (type === PFM_TYPE) {
-    const bytes = encodePfm(await tracer.readRadiance(), width, height);
-    return new Blob([bytes as Uint8Array<ArrayBuffer>], { type });
+export async function encodePicture(
+  pixels: Float32Array | Uint8ClampedArray,
+  width: number,
+  height: number,
+  type: string,
+  quality?: number,
+): Promise<Blob> {
+  if (pixels instanceof Float32Array) {
+    return new Blob([encodePfm(pixels, width, height) as Uint8Array<ArrayBuffer>], { type });
   }
-  const pixels = (await tracer.readPicture(view)) as Uint8ClampedArray<ArrayBuffer>;
-  const canvas = new OffscreenCanvas(width, height);
-  canvas.getContext("2d")!.putImageData(new ImageData(pixels, width, height), 0, 0);
-  return canvas.convertToBlob({ type, ...(quality !== undefined && { quality }) });
+  try {
+    const canvas = new OffscreenCanvas(width, height);
+    const image = new ImageData(pixels as Uint8ClampedArray<ArrayBuffer>, width, height);
+    canvas.getContext("2d")!.putImageData(image, 0, 0);
+    return await canvas.convertToBlob({ type, ...(quality !== undefined && { quality }) });
+  } catch (cause) {
+    throw new RtViewerError(`the browser could not encode ${width} × ${height} pixels as ${type}`, { cause });
+  }
 }

@@ -1,3 +1,4 @@
+import { WebGpuError } from "../errors";
 import { lossOf } from "../gpu/device";
 import type { View } from "../renderer/display";
 import { PathTracer, type SceneOptions } from "../renderer/pathTracer";
@@ -9,6 +10,7 @@ import { CanvasView } from "./canvasView";
 import type { DeviceLostDetail, ProgressDetail, ReadyDetail } from "./events";
 import { LatestTask } from "./latestTask";
 import type { LoadProgressDetail, ReportProgress } from "./loadProgress";
+import { Recovery } from "./recovery";
 import type { EditedTracer, SceneEdits } from "./sceneEdits";
 import { type DeviceLease, leaseDevice } from "./sharedDevice";
 
@@ -28,6 +30,9 @@ export type StageListener = {
 };
 
 const PROGRESS_INTERVAL_MS = 100;
+const HOPELESS =
+  "The GPU was lost again and again with this scene, so it is not tried again by itself. A simpler scene or a smaller " +
+  "picture may work. Reloading the page tries again.";
 
 /** What lies between a request for a scene and the picture on a canvas. Knows the canvas and the tracer, not the page. */
 export class Stage {
@@ -39,6 +44,7 @@ export class Stage {
   #view: CanvasView | undefined;
   /** One whose work has failed, while it is found out why. */
   #failedView: CanvasView | undefined;
+  readonly #recovery = new Recovery();
   #lossCount = 0;
   #edits: SceneEdits | undefined;
   /** Scenes that are being loaded; those that were overtaken too. */
@@ -128,6 +134,11 @@ export class Stage {
    * @param read - gives the scene, and reports how far it is.
    */
   async show(read: (signal: AbortSignal, report: ReportProgress) => Promise<Scene>): Promise<void> {
+    this.#recovery.forgive();
+    await this.#show(read);
+  }
+
+  async #show(read: (signal: AbortSignal, report: ReportProgress) => Promise<Scene>): Promise<void> {
     const requestedAt = performance.now();
     const reportFor = (signal: AbortSignal): ReportProgress => {
       return (phase, fraction) => {
@@ -160,9 +171,13 @@ export class Stage {
    * @returns false, and nothing is done, without a scene and while another one is loaded.
    */
   edit(scene: Scene, createEdits: (tracer: EditedTracer) => SceneEdits): boolean {
-    if (this.tracer === undefined || this.#loads > 0) return false;
-    this.#edits ??= createEdits(this.tracer);
-    this.#edits.show(scene).catch((error: unknown) => this.#listener.onError(toError(error)));
+    const { tracer } = this;
+    if (tracer === undefined || this.#loads > 0) return false;
+    this.#edits ??= createEdits(tracer);
+    this.#edits.show(scene).catch(async (error: unknown) => {
+      if (error instanceof WebGpuError && (await lossOf(tracer.device))) return; // it recovers
+      this.#listener.onError(toError(error));
+    });
     return true;
   }
 
@@ -186,6 +201,7 @@ export class Stage {
   /** Ends what is under way and gives back the GPU. */
   clear(): void {
     this.#task.cancel();
+    this.#recovery.end();
     this.#view?.dispose();
     this.#forgetView();
     this.#release();
@@ -194,7 +210,17 @@ export class Stage {
 
   /** Goes on until the scene is on a device that lives. */
   async #put(scene: Scene, signal: AbortSignal, report: ReportProgress): Promise<void> {
+    try {
+      await this.#putOnDevice(scene, signal, report);
+    } finally {
+      if (this.#view === undefined) this.#recovery.end();
+    }
+  }
+
+  async #putOnDevice(scene: Scene, signal: AbortSignal, report: ReportProgress): Promise<void> {
     while (!signal.aborted) {
+      if (this.#lease === undefined) await this.#recovery.begin(signal);
+      if (signal.aborted) return;
       const lease = this.#lease ?? (await leaseDevice());
       if (signal.aborted && lease !== this.#lease) return lease.release();
       if (lease !== this.#lease) this.#hold(lease);
@@ -215,8 +241,8 @@ export class Stage {
 
   #hold(lease: DeviceLease): void {
     this.#lease = lease;
-    void lease.device.lost.then(({ message }) => {
-      if (this.#lease === lease) this.#recover(message);
+    void lease.device.lost.then((loss) => {
+      if (this.#lease === lease) this.#recover(lease.device, loss);
     });
   }
 
@@ -227,8 +253,12 @@ export class Stage {
   ): Promise<void> {
     const settings = this.#effectiveSettings();
     const tracer = await PathTracer.create({ scene, ...this.#size, settings, device, ...options });
-    if (options.signal.aborted || this.#lease?.device !== device) tracer.dispose();
-    else this.#view = new CanvasView(tracer, this.#canvas);
+    try {
+      options.signal.throwIfAborted();
+      if (this.#lease?.device === device) this.#view = new CanvasView(tracer, this.#canvas);
+    } finally {
+      if (this.#view?.tracer !== tracer) tracer.dispose();
+    }
   }
 
   /** What the page asked for while the scene was compiled, or before. */
@@ -244,24 +274,36 @@ export class Stage {
   }
 
   /** Starts over on another device; the canvas keeps its picture until then. */
-  #recover(message: string): void {
+  #recover(device: GPUDevice, loss: GPUDeviceLostInfo): void {
     const { tracer } = this;
-    tracer?.dispose();
-    this.#forgetView();
-    this.#release();
+    this.#dropTracer();
+    this.#recovery.noteLoss(device);
     this.#lossCount += 1;
-    this.#listener.onDeviceLost({ message, count: this.#lossCount });
+    this.#listener.onDeviceLost({ message: loss.message, count: this.#lossCount });
+    if (this.#recovery.isHopeless) {
+      this.#task.cancel();
+      this.#listener.onError(new WebGpuError(HOPELESS, { cause: loss }));
+      return;
+    }
     // Whatever is on its way to the stage will find a device by itself.
     if (this.#task.isRunning || tracer === undefined) return;
     this.#pendingCamera = tracer.camera;
-    void this.show(async () => tracer.scene);
+    void this.#show(async () => tracer.scene);
   }
 
   async #onFailure(view: CanvasView, error: Error): Promise<void> {
     this.#failedView = view;
     if ((await lossOf(view.tracer.device)) || this.#view !== view) return;
+    if (this.#task.isRunning) return this.#dropTracer(); // the scene that is on its way opens another one
     this.clear();
     this.#listener.onError(error);
+  }
+
+  /** The canvas keeps its picture. */
+  #dropTracer(): void {
+    this.tracer?.dispose();
+    this.#forgetView();
+    this.#release();
   }
 
   #forgetView(): void {
@@ -286,6 +328,7 @@ export class Stage {
       const milliseconds = now - this.#requestedAt;
       this.#requestedAt = undefined;
       this.#reportedSamples = 0;
+      this.#recovery.noteReady();
       this.#listener.onReady({ tracer, milliseconds });
     }
     if (this.owesPicture) return;

@@ -1,7 +1,8 @@
 import type { StructValue } from "../compile/defineStruct";
 import { VIEW } from "../compile/layouts";
-import type { Film } from "./film";
+import type { Film, FilmSums } from "./film";
 import { BufferUsage, TextureUsage } from "./flags";
+import { checkCount } from "./limits";
 
 /** How radiance is brought into a display's range, in the order of `displayed` in `wgsl/tonemap.wgsl`. */
 export const TONE_MAPS = ["none", "aces", "agx"] as const;
@@ -18,7 +19,7 @@ export type BlitPipelines = { readonly show: GPURenderPipeline; readonly stretch
 export class BlitPass {
   readonly #device: GPUDevice;
   readonly #pipelines: BlitPipelines;
-  readonly #film: Film;
+  readonly #film: FilmSums;
   readonly #uniforms: GPUBuffer;
   readonly #showGroup: GPUBindGroup;
   readonly #bytes = new DataView(new ArrayBuffer(VIEW.bytes));
@@ -26,7 +27,7 @@ export class BlitPass {
   #picture: GPUTexture | undefined;
   #stretchGroup: GPUBindGroup | undefined;
 
-  constructor(device: GPUDevice, pipelines: BlitPipelines, film: Film) {
+  constructor(device: GPUDevice, pipelines: BlitPipelines, film: FilmSums) {
     this.#device = device;
     this.#pipelines = pipelines;
     this.#film = film;
@@ -42,9 +43,15 @@ export class BlitPass {
     });
   }
 
-  /** @param exposure - factor on radiance. */
+  /**
+   * @param exposure - factor on radiance.
+   * @throws {UnsupportedError} if the target, or a film that is stretched over it, is too large for a texture.
+   */
   encode(encoder: GPUCommandEncoder, target: GPUTexture, exposure: number, toneMap: ToneMap): void {
     const { width, height } = this.#film;
+    const isStretched = width !== target.width || height !== target.height;
+    checkTexture(this.#device, target);
+    if (isStretched) checkTexture(this.#device, this.#film);
     const view: ViewUniforms = {
       filmSize: [width, height],
       targetSize: [target.width, target.height],
@@ -54,7 +61,6 @@ export class BlitPass {
     VIEW.write(this.#bytes, 0, view);
     this.#device.queue.writeBuffer(this.#uniforms, 0, this.#bytes.buffer);
     const { show, stretch } = this.#pipelines;
-    const isStretched = width !== target.width || height !== target.height;
     if (isStretched) this.#picture ??= this.#createPicture(target.format);
     draw(encoder, show, this.#showGroup, isStretched ? this.#picture! : target);
     if (isStretched) draw(encoder, stretch, this.#stretchGroup!, target);
@@ -85,6 +91,12 @@ export class BlitPass {
     });
     return picture;
   }
+}
+
+/** @throws {UnsupportedError} if no texture of the device can have so many pixels on a side. */
+export function checkTexture({ limits }: GPUDevice, { width, height }: Pick<Film, "width" | "height">): void {
+  const what = `a picture of ${width} × ${height} pixels`;
+  checkCount(limits, "maxTextureDimension2D", Math.max(width, height), what);
 }
 
 /** One triangle over the whole target. */

@@ -1,4 +1,5 @@
 import { WebGpuError } from "../errors";
+import { scoped } from "./errorScope";
 
 /**
  * Compiles one entry point without blocking.
@@ -13,7 +14,7 @@ export async function createComputePipeline(
   entryPoint: string,
   layout: GPUPipelineLayout | "auto" = "auto",
 ): Promise<GPUComputePipeline> {
-  const module = device.createShaderModule({ label, code });
+  const module = createModule(device, label, code);
   try {
     return await device.createComputePipelineAsync({ label, layout, compute: { module, entryPoint } });
   } catch (cause) {
@@ -29,7 +30,7 @@ export async function createBlitPipeline(
   entryPoint: string,
   format: GPUTextureFormat,
 ): Promise<GPURenderPipeline> {
-  const module = device.createShaderModule({ label, code });
+  const module = createModule(device, label, code);
   try {
     return await device.createRenderPipelineAsync({
       label,
@@ -42,8 +43,16 @@ export async function createBlitPipeline(
   }
 }
 
+/** What is wrong with it, the pipeline made from it says. */
+function createModule(device: GPUDevice, label: string, code: string): GPUShaderModule {
+  return scoped(device, () => device.createShaderModule({ label, code })).value;
+}
+
 async function compileError(label: string, module: GPUShaderModule, cause: unknown): Promise<WebGpuError> {
-  const { messages } = await module.getCompilationInfo();
+  const messages = await module.getCompilationInfo().then(
+    (info) => info.messages,
+    () => [], // the device is lost
+  );
   const errors = messages.filter(({ type }) => type === "error");
   const lines = errors.map(({ lineNum, linePos, message }) => `${label}:${lineNum}:${linePos} ${message}`);
   return new WebGpuError([`could not compile ${label}`, ...lines].join("\n"), { cause });

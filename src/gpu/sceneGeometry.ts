@@ -1,24 +1,30 @@
 import type { Geometry } from "../compile/geometry";
-import { UnsupportedError } from "../errors";
+import { WebGpuError } from "../errors";
 import { BufferUsage, TextureUsage } from "./flags";
 import { GEOMETRY_BINDINGS, type GeometryPart } from "./geometryLayout";
+import { checkCount, checkStorage } from "./limits";
 
 /** A scene's geometry on the GPU. */
 export class SceneGeometry {
   readonly source: Geometry;
-  readonly #resources: ReadonlyMap<number, GPUBuffer | GPUTexture>;
+  readonly #resources = new Map<number, GPUBuffer | GPUTexture>();
 
-  /** @throws {UnsupportedError} if the device has no room for so much in one piece. */
+  /**
+   * @throws {UnsupportedError} if the device has no room for so much in one piece.
+   * @throws {WebGpuError} if there is no memory to upload it from.
+   */
   constructor(device: GPUDevice, geometry: Geometry) {
     this.source = geometry;
-    const data = Object.entries(geometry.data) as [GeometryPart, ArrayBuffer | undefined][];
-    this.#resources = new Map(
-      data.flatMap(([part, bytes]) => {
+    try {
+      for (const [part, bytes] of Object.entries(geometry.data) as [GeometryPart, ArrayBuffer | undefined][]) {
         const { binding, row } = GEOMETRY_BINDINGS[part];
-        if (bytes === undefined) return [];
-        return [[binding, row ? createTexels(device, part, bytes, row) : createBuffer(device, part, bytes)]];
-      }),
-    );
+        if (bytes === undefined) continue;
+        this.#resources.set(binding, row ? createTexels(device, part, bytes, row) : createBuffer(device, part, bytes));
+      }
+    } catch (error) {
+      this.dispose();
+      throw error;
+    }
   }
 
   /** The entries of a bind group that a layout asks for. */
@@ -36,11 +42,17 @@ export class SceneGeometry {
 
 function createBuffer(device: GPUDevice, label: string, bytes: ArrayBuffer): GPUBuffer {
   const size = bytes.byteLength;
-  checkSize(label, size, device.limits.maxStorageBufferBindingSize);
-  const buffer = device.createBuffer({ label, size, usage: BufferUsage.STORAGE, mappedAtCreation: true });
-  new Uint8Array(buffer.getMappedRange()).set(new Uint8Array(bytes));
-  buffer.unmap();
-  return buffer;
+  checkStorage(device.limits, size, nameOf(label));
+  let buffer: GPUBuffer | undefined;
+  try {
+    buffer = device.createBuffer({ label, size, usage: BufferUsage.STORAGE, mappedAtCreation: true });
+    new Uint8Array(buffer.getMappedRange()).set(new Uint8Array(bytes));
+    buffer.unmap();
+    return buffer;
+  } catch (cause) {
+    buffer?.destroy();
+    throw new WebGpuError(`there is no memory for ${nameOf(label)}`, { cause });
+  }
 }
 
 const TEXEL_BYTES = 16;
@@ -50,7 +62,7 @@ function createTexels(device: GPUDevice, label: string, bytes: ArrayBuffer, row:
   const texels = bytes.byteLength / TEXEL_BYTES;
   const fullRows = Math.floor(texels / row);
   const rest = texels % row;
-  checkSize(label, bytes.byteLength, device.limits.maxTextureDimension2D * row * TEXEL_BYTES);
+  checkCount(device.limits, "maxTextureDimension2D", Math.max(row, Math.ceil(texels / row)), nameOf(label));
   const texture = device.createTexture({
     label,
     size: [row, Math.max(fullRows + (rest > 0 ? 1 : 0), 1)],
@@ -66,10 +78,6 @@ function createTexels(device: GPUDevice, label: string, bytes: ArrayBuffer, row:
   return texture;
 }
 
-function checkSize(label: string, bytes: number, limit: number): void {
-  if (bytes <= limit) return;
-  const [needed, available] = [bytes, limit].map((size) => `${Math.ceil(size / 2 ** 20)} MiB`);
-  throw new UnsupportedError(
-    `the ${label} of the scene's geometry need ${needed}; this device has room for ${available}`,
-  );
+function nameOf(label: string): string {
+  return `the scene's geometry (${label})`;
 }

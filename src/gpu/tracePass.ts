@@ -1,6 +1,7 @@
 import type { CompiledScene } from "../compile/compileScene";
 import type { StructValue } from "../compile/defineStruct";
 import { FRAME } from "../compile/layouts";
+import { checked } from "./errorScope";
 import type { Film } from "./film";
 import { BufferUsage, ShaderStage } from "./flags";
 import { geometryLayout } from "./geometryLayout";
@@ -26,14 +27,14 @@ export type TracePipelines = {
   readonly geometry: readonly GPUBindGroupLayoutEntry[];
 };
 
-/** @throws {WebGpuError} with the compiler's messages. */
+/** @throws {WebGpuError} with the compiler's messages, or what the device lacks. */
 export async function createTracePipelines(
   device: GPUDevice,
   wgsl: string,
   { features, isStored }: Pick<CompiledScene, "features" | "isStored">,
 ): Promise<TracePipelines> {
   const geometry = geometryLayout(features);
-  const layout = createTraceLayout(device, isStored, geometry);
+  const layout = await checked(device, () => createTraceLayout(device, isStored, geometry));
   const [trace, lamps] = await Promise.all([
     createComputePipeline(device, "trace", wgsl, "trace", layout),
     features.LAMPS ? createComputePipeline(device, "lamps", wgsl, "traceLamps", layout) : undefined,

@@ -1,4 +1,5 @@
 import type { CompiledScene } from "../compile/compileScene";
+import { checked } from "../gpu/errorScope";
 import type { Film } from "../gpu/film";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { TracePass } from "../gpu/tracePass";
@@ -13,6 +14,9 @@ export type Bakeable = {
   /** Compiles it with its values as constants. */
   readonly bake: () => CompiledScene;
 };
+
+/** Whether a program with constants is worth it. `isWanted` tells whether what it was compiled for is still shown. */
+export type IsQuicker = (program: Program, scene: CompiledScene, isWanted: () => boolean) => Promise<boolean>;
 
 /**
  * The program of a scene at rest, with the scene's values as constants. It is the same estimator with the same points as
@@ -45,7 +49,7 @@ export class Baked {
    *
    * @param isQuicker - asked whether it is worth it.
    */
-  compile(shown: Bakeable, isQuicker: (program: Program, scene: CompiledScene) => Promise<boolean>): Promise<void> {
+  compile(shown: Bakeable, isQuicker: IsQuicker): Promise<void> {
     if (this.#program) return Promise.resolve();
     this.#compiling ??= this.#compile(shown, isQuicker).finally(() => {
       this.#compiling = undefined;
@@ -53,18 +57,16 @@ export class Baked {
     return this.#compiling;
   }
 
-  async #compile(
-    shown: Bakeable,
-    isQuicker: (program: Program, scene: CompiledScene) => Promise<boolean>,
-  ): Promise<void> {
+  async #compile(shown: Bakeable, isQuicker: IsQuicker): Promise<void> {
     const changes = this.#changes;
+    const isWanted = () => changes === this.#changes;
     this.#shown = shown;
     const scene = shown.bake();
     const program = await createProgram(this.#device, scene);
-    if (changes !== this.#changes) return;
-    const isWorthIt = await isQuicker(program, scene);
-    if (changes !== this.#changes || !isWorthIt) return;
-    this.#use(program, scene, shown);
+    if (!isWanted()) return;
+    const isWorthIt = await isQuicker(program, scene, isWanted);
+    if (!isWanted() || !isWorthIt) return;
+    await checked(this.#device, () => this.#use(program, scene, shown));
   }
 
   /** Follows a change: the program stays in use if it fits the scene as it is now. */

@@ -1,5 +1,6 @@
 import type { CompiledScene } from "../compile/compileScene";
 import { sleep, spinsInNode } from "../gpu/device";
+import { checked, scoped } from "../gpu/errorScope";
 import { Film } from "../gpu/film";
 import { Readback } from "../gpu/readback";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
@@ -28,7 +29,8 @@ const MOST_SAMPLES = 4096;
  *
  * @param shared - for that film, of the size that it says.
  * @param pace - learns from it.
- * @returns how many times as long as the first the second one takes.
+ * @param isWanted - whether what is compared is still there; asked before each submit.
+ * @returns how many times as long as the first the second one takes; undefined if that is not wanted any more.
  */
 export async function compareTraces(
   device: GPUDevice,
@@ -36,40 +38,48 @@ export async function compareTraces(
   geometry: SceneGeometry | undefined,
   shared: SharedUniforms,
   pace: Pace,
-): Promise<number> {
+  isWanted: () => boolean,
+): Promise<number | undefined> {
   const [width, height] = [shared.size[0]!, shared.size[1]!];
-  const film = new Film(device, width, height);
-  const readback = new Readback(device);
-  const traces = contenders.map(
-    ({ program, compiled }) => new TracePass(device, program.pipelines, compiled.uniform, geometry, film),
-  );
+  const { film, readback, traces } = await checked(device, () => {
+    const film = new Film(device, width, height);
+    const traces = contenders.map(
+      ({ program, compiled }) => new TracePass(device, program.pipelines, compiled.uniform, geometry, film),
+    );
+    return { film, readback: new Readback(device), traces };
+  });
   const measure = async (trace: TracePass): Promise<number> => {
     const { dispatchSamples } = pace;
     const limits = { paths: pace.pathsFor(MEASURED_MS), samples: MOST_SAMPLES, dispatchSamples, isWatched: false };
     const slices = takeSlices(new Progress(width, height), limits);
     const paths = slices.reduce((sum, slice) => sum + slice.paths, 0);
-    const encoder = device.createCommandEncoder({ label: "compare" });
-    trace.encode(
-      encoder,
-      slices.map((slice) => ({ ...shared, ...slice })),
-      readback.timestampWrites,
-    );
-    readback.encode(encoder, film, undefined);
     const submittedAt = performance.now();
-    device.queue.submit([encoder.finish()]);
+    const { error } = scoped(device, () => {
+      const encoder = device.createCommandEncoder({ label: "compare" });
+      const frames = slices.map((slice) => ({ ...shared, ...slice }));
+      trace.encode(encoder, frames, readback.timestampWrites);
+      readback.encode(encoder, film, undefined);
+      device.queue.submit([encoder.finish()]);
+    });
     if (spinsInNode(device)) await sleep(pace.predictMs(paths));
     const { gpuMs } = await readback.read(false);
     const ms = gpuMs ?? performance.now() - submittedAt;
+    const failure = await error;
+    if (failure) throw failure;
     pace.observe(paths, ms);
     return ms / paths;
   };
 
   try {
     for (let step = 0; step < MOST_STEPS && pace.predictMs(pace.pathsFor(MEASURED_MS)) < MEASURED_MS / 2; step++) {
+      if (!isWanted()) return undefined;
       await measure(traces[0]!);
     }
     const times: [number, number] = [0, 0];
-    for (const turn of TURNS) times[turn] += await measure(traces[turn]!);
+    for (const turn of TURNS) {
+      if (!isWanted()) return undefined;
+      times[turn] += await measure(traces[turn]!);
+    }
     return times[1] / times[0];
   } finally {
     for (const resource of [...traces, readback, film]) resource.dispose();

@@ -1,7 +1,10 @@
 import { linkModule } from "../compile/linkProgram";
-import { BlitPass, type BlitPipelines, type ToneMap } from "../gpu/blitPass";
-import type { Film } from "../gpu/film";
-import { BufferUsage, MapMode, TextureUsage } from "../gpu/flags";
+import { BlitPass, type BlitPipelines, checkTexture, type ToneMap } from "../gpu/blitPass";
+import { explainFailure } from "../gpu/device";
+import { download } from "../gpu/download";
+import { scoped } from "../gpu/errorScope";
+import type { Film, FilmSums } from "../gpu/film";
+import { TextureUsage } from "../gpu/flags";
 import { createBlitPipeline } from "../gpu/pipelines";
 
 /** How radiance becomes a picture. */
@@ -18,76 +21,106 @@ export type View = {
 const BYTES_PER_PIXEL = 4;
 const ROW_ALIGNMENT = 256; // WebGPU's bytesPerRow in texture copies
 
-/** Shows a film on textures of one format. */
+/** Shows films on textures of one format. */
 export class Display {
   readonly #device: GPUDevice;
   readonly #pipelines: BlitPipelines;
-  #pass: BlitPass;
-  #film: Film;
+  /** For the film that was shown last. */
+  #pass: BlitPass | undefined;
+  #film: FilmSums | undefined;
 
-  static async create(device: GPUDevice, film: Film, format: GPUTextureFormat): Promise<Display> {
+  /** @throws {WebGpuError} with the compiler's messages. */
+  static async create(device: GPUDevice, format: GPUTextureFormat): Promise<Display> {
     const code = await linkModule("blit");
     const create = (entryPoint: string) => createBlitPipeline(device, "blit", code, entryPoint, format);
     const [show, stretch] = await Promise.all([create("show"), create("stretch")]);
-    return new Display(device, film, { show, stretch });
+    return new Display(device, { show, stretch });
   }
 
-  private constructor(device: GPUDevice, film: Film, pipelines: BlitPipelines) {
+  private constructor(device: GPUDevice, pipelines: BlitPipelines) {
     this.#device = device;
     this.#pipelines = pipelines;
-    this.#film = film;
-    this.#pass = new BlitPass(device, pipelines, film);
   }
 
-  /** Draws the film, stretched smoothly over the whole texture. */
-  draw(film: Film, target: GPUTexture, { exposure = 0, toneMap = "aces" }: View): void {
-    if (film !== this.#film) {
-      this.#pass.dispose();
-      this.#film = film;
-      this.#pass = new BlitPass(this.#device, this.#pipelines, film);
-    }
+  /**
+   * Draws the film, stretched smoothly over the whole texture.
+   *
+   * @throws {UnsupportedError} if either is too large for a texture.
+   */
+  draw(film: FilmSums, target: GPUTexture, view: View): void {
     const encoder = this.#device.createCommandEncoder({ label: "present" });
-    this.#pass.encode(encoder, target, 2 ** exposure, toneMap);
+    this.encode(encoder, film, target, view);
     this.#device.queue.submit([encoder.finish()]);
   }
 
+  /** The same, to be submitted with other work. */
+  encode(
+    encoder: GPUCommandEncoder,
+    film: FilmSums,
+    target: GPUTexture,
+    { exposure = 0, toneMap = "aces" }: View,
+  ): void {
+    if (this.#pass === undefined || film !== this.#film) {
+      this.#pass?.dispose();
+      this.#film = film;
+      this.#pass = new BlitPass(this.#device, this.#pipelines, film);
+    }
+    this.#pass.encode(encoder, target, 2 ** exposure, toneMap);
+  }
+
   dispose(): void {
-    this.#pass.dispose();
+    this.#pass?.dispose();
   }
 }
 
-/** The film as it would be shown: sRGB bytes, RGBA, rows from the top. */
+/**
+ * The film at the moment of the call as it would be shown: sRGB bytes, RGBA, rows from the top.
+ *
+ * @throws {UnsupportedError} if it is too large for a texture.
+ * @throws {WebGpuError} if the device fails, or is lost meanwhile.
+ */
 export async function readPicture(device: GPUDevice, film: Film, view: View): Promise<Uint8ClampedArray> {
-  const { width, height } = film;
-  const display = await Display.create(device, film, "rgba8unorm");
-  const { RENDER_ATTACHMENT, COPY_SRC } = TextureUsage;
-  const texture = device.createTexture({
-    label: "picture",
-    size: [width, height],
-    format: "rgba8unorm",
-    usage: RENDER_ATTACHMENT | COPY_SRC,
-  });
-  display.draw(film, texture, view);
-
-  const bytesPerRow = Math.ceil((width * BYTES_PER_PIXEL) / ROW_ALIGNMENT) * ROW_ALIGNMENT;
-  const staging = device.createBuffer({
-    label: "picture readback",
-    size: bytesPerRow * height,
-    usage: BufferUsage.COPY_DST | BufferUsage.MAP_READ,
-  });
-  const encoder = device.createCommandEncoder({ label: "read picture" });
-  encoder.copyTextureToBuffer({ texture }, { buffer: staging, bytesPerRow }, [width, height]);
-  device.queue.submit([encoder.finish()]);
-  await staging.mapAsync(MapMode.READ);
-
-  const padded = new Uint8Array(staging.getMappedRange());
-  const pixels = new Uint8ClampedArray(width * height * BYTES_PER_PIXEL);
-  const rowBytes = width * BYTES_PER_PIXEL;
-  for (let y = 0; y < height; y++) {
-    pixels.set(padded.subarray(y * bytesPerRow, y * bytesPerRow + rowBytes), y * rowBytes);
+  checkTexture(device, film);
+  // A copy, because the film may be cleared or gone by the time there is a pipeline.
+  const { value: copy, error } = scoped(device, () => film.copy());
+  let display: Display | undefined;
+  try {
+    display = await Display.create(device, "rgba8unorm");
+    const failure = await error;
+    if (failure !== undefined) throw failure;
+    return await downloadPicture(device, copy, display, view);
+  } catch (cause) {
+    throw await explainFailure(device, cause);
+  } finally {
+    copy.sums.destroy();
+    display?.dispose();
   }
-  staging.destroy();
-  texture.destroy();
-  display.dispose();
-  return pixels;
+}
+
+async function downloadPicture(
+  device: GPUDevice,
+  film: FilmSums,
+  display: Display,
+  view: View,
+): Promise<Uint8ClampedArray> {
+  const { width, height } = film;
+  const rowBytes = width * BYTES_PER_PIXEL;
+  const bytesPerRow = Math.ceil(rowBytes / ROW_ALIGNMENT) * ROW_ALIGNMENT;
+  let texture: GPUTexture | undefined;
+  const encode = (encoder: GPUCommandEncoder, staging: GPUBuffer) => {
+    const usage = TextureUsage.RENDER_ATTACHMENT | TextureUsage.COPY_SRC;
+    texture = device.createTexture({ label: "picture", size: [width, height], format: "rgba8unorm", usage });
+    display.encode(encoder, film, texture, view);
+    encoder.copyTextureToBuffer({ texture }, { buffer: staging, bytesPerRow }, [width, height]);
+  };
+  const picture = download(device, "picture readback", bytesPerRow * height, encode, (bytes) => {
+    const padded = new Uint8Array(bytes);
+    const pixels = new Uint8ClampedArray(rowBytes * height);
+    for (let y = 0; y < height; y++) {
+      pixels.set(padded.subarray(y * bytesPerRow, y * bytesPerRow + rowBytes), y * rowBytes);
+    }
+    return pixels;
+  });
+  texture?.destroy();
+  return picture;
 }

@@ -1,16 +1,17 @@
 import { needsGeometry } from "../compile/boundedShapes";
 import { type CompiledScene, compileScene } from "../compile/compileScene";
 import { linkModule } from "../compile/linkProgram";
-import { WebGpuError } from "../errors";
-import { adapterName, requestDevice } from "../gpu/device";
+import { RtViewerError } from "../errors";
+import { adapterName, explainFailure, requestDevice } from "../gpu/device";
 import { ErrorPass } from "../gpu/errorPass";
-import { Film } from "../gpu/film";
+import { scoped } from "../gpu/errorScope";
+import { checkFilmSize, Film } from "../gpu/film";
 import { createComputePipeline } from "../gpu/pipelines";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
-import { type Bakeable, Baked } from "./baked";
+import { type Bakeable, Baked, type IsQuicker } from "./baked";
 import { cameraBasis, lampPixels, rayStart } from "./camera";
 import { checkSettings } from "./checkSettings";
 import type { SharedUniforms } from "./compareTraces";
@@ -106,9 +107,11 @@ export class PathTracer {
   readonly #fail = (error: unknown): void => {
     this.#failure ??= error;
   };
-  /** A bug of ours or a device out of memory; without this it would be a picture that stays black. */
-  readonly #onDeviceError = ({ error }: GPUUncapturedErrorEvent): void => {
-    this.#fail(new WebGpuError(error.message, { cause: error }));
+  /** Does GPU work. What the device says against it ends this tracer alone: a bug of ours, or a device out of memory. Not nested: the cause comes first. */
+  readonly #guarded = <T>(work: () => T): T => {
+    const { value, error } = scoped(this.device, work);
+    void error.then((failure) => failure && this.#fail(failure));
+    return value;
   };
   #disposed = false;
   #errorChecks = new ErrorChecks();
@@ -119,9 +122,9 @@ export class PathTracer {
 
   /**
    * @throws {SceneError} with every issue, if the scene breaks the format.
-   * @throws {UnsupportedError} if it holds something that can't be rendered yet.
+   * @throws {UnsupportedError} if it holds something that can't be rendered yet, or the device has a limit below what it needs.
    * @throws {RtViewerError} if a setting can't be used.
-   * @throws {WebGpuError} if there is no WebGPU or no adapter.
+   * @throws {WebGpuError} if there is no WebGPU or no adapter, or the device is out of memory.
    */
   static async create(options: PathTracerOptions): Promise<PathTracer> {
     const settings = { ...DEFAULT_SETTINGS, ...options.settings };
@@ -131,11 +134,19 @@ export class PathTracer {
     const compiled = compileScene(scene, settings, undefined, geometry?.source);
     const device = options.device ?? (await requestDevice());
     try {
+      checkFilmSize(device, options.width, options.height);
       const [program, errorPipeline] = await Promise.all([
         createProgram(device, compiled),
         linkModule("error").then((code) => createComputePipeline(device, "error", code, "sumErrors")),
       ]);
-      return new PathTracer(options, device, settings, scene, geometry, compiled, program, errorPipeline);
+      const { value: tracer, error } = scoped(
+        device,
+        () => new PathTracer(options, device, settings, scene, geometry, compiled, program, errorPipeline),
+      );
+      const failure = await error;
+      if (failure === undefined) return tracer;
+      tracer.dispose();
+      throw failure;
     } catch (error) {
       if (!options.device) device.destroy();
       throw error;
@@ -160,14 +171,13 @@ export class PathTracer {
     this.#compiled = compiled;
     this.#program = program;
     this.#errorPipeline = errorPipeline;
+    this.#geometry = geometry?.upload(device); // first: it throws where there is no room for it
     this.#inFlight = new InFlight(device);
     this.#film = new Film(device, width, height);
     this.#progress = new Progress(width, height);
     this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
-    this.#geometry = geometry?.upload(device);
     this.#trace = this.#createTrace();
     this.#shared = this.#sharedUniforms(width, height);
-    device.addEventListener("uncapturederror", this.#onDeviceError);
     this.#baked = new Baked(device);
     this.#meter = new Meter(adapterName(device));
     this.#meter.useProgram(program);
@@ -230,15 +240,22 @@ export class PathTracer {
     this.#stale = true;
   }
 
-  /** In pixels, at least 1 × 1. */
+  /**
+   * In pixels, at least 1 × 1.
+   *
+   * @throws {UnsupportedError} if the device has a limit below what that needs. The old size stays.
+   */
   resize(width: number, height: number): void {
     if (this.#disposed || (width === this.width && height === this.height)) return;
+    checkFilmSize(this.device, width, height);
     this.#film.dispose();
     this.#errorPass.dispose();
     this.#trace.dispose();
-    this.#film = new Film(this.device, width, height);
-    this.#errorPass = new ErrorPass(this.device, this.#errorPipeline, this.#film);
-    this.#trace = this.#createTrace();
+    this.#guarded(() => {
+      this.#film = new Film(this.device, width, height);
+      this.#errorPass = new ErrorPass(this.device, this.#errorPipeline, this.#film);
+      this.#trace = this.#createTrace();
+    });
     this.#restart();
   }
 
@@ -292,25 +309,40 @@ export class PathTracer {
 
   /**
    * Compiles the program of a scene at rest now, instead of when it has rested or many samples are asked for. Resolves
-   * when it is in use; the accumulation goes on.
+   * when it is in use, or was found to be no quicker; the accumulation goes on.
+   *
+   * @throws {WebGpuError} if the device fails.
    */
   async compile(): Promise<void> {
     if (!this.#settings.constants || this.#disposed) return;
     if (this.#stale) this.#restart();
     if (this.#settings.constants === "auto" && this.#unbakeable === this.#program) return;
-    await this.#baked.compile(this.#bakeable, this.#isQuicker);
+    try {
+      await this.#baked.compile(this.#bakeable, this.#isQuicker);
+    } catch (error) {
+      throw await explainFailure(this.device, error);
+    }
     if (this.#disposed) this.#baked.drop();
     else this.#meter.useProgram(this.program);
   }
 
-  /** Mean radiance: RGBA, linear Rec. 709, alpha 1, top row first, `width · height · 4` values. */
-  readRadiance(): Promise<Float32Array> {
-    return this.#film.read();
+  /**
+   * Mean radiance at the moment of the call: RGBA, linear Rec. 709, alpha 1, top row first, `width · height · 4` values.
+   *
+   * @throws {RtViewerError} after `dispose()`.
+   * @throws {WebGpuError} if the device fails, or is lost meanwhile.
+   */
+  async readRadiance(): Promise<Float32Array> {
+    return this.#filmToRead().read();
   }
 
-  /** The picture as `present` would show it: sRGB bytes, RGBA, top row first. */
-  readPicture(view: View = {}): Promise<Uint8ClampedArray> {
-    return readPicture(this.device, this.#film, view);
+  /**
+   * The picture at the moment of the call as `present` would show it: sRGB bytes, RGBA, top row first.
+   *
+   * @throws {RtViewerError} as `readRadiance` does, and if it has more pixels on a side than a texture of the device.
+   */
+  async readPicture(view: View = {}): Promise<Uint8ClampedArray> {
+    return readPicture(this.device, this.#filmToRead(), view);
   }
 
   /**
@@ -356,6 +388,7 @@ export class PathTracer {
    * keeps its last picture. The caller has configured the context with this tracer's `device`.
    *
    * @returns whether it drew.
+   * @throws {UnsupportedError} if the canvas is larger than a texture of the device.
    */
   present(context: GPUCanvasContext, view: View = {}): boolean {
     if (this.#disposed || this.#progress.samples === 0) return false;
@@ -364,7 +397,8 @@ export class PathTracer {
       this.#display ??= this.#createDisplay(context.getConfiguration()!.format).catch(this.#fail);
       return false;
     }
-    this.#display.draw(this.#film, context.getCurrentTexture(), view);
+    const display = this.#display;
+    this.#guarded(() => display.draw(this.#film, context.getCurrentTexture(), view));
     return true;
   }
 
@@ -373,7 +407,6 @@ export class PathTracer {
     if (this.#disposed) return;
     this.#disposed = true;
     this.#overtake.abort();
-    this.device.removeEventListener("uncapturederror", this.#onDeviceError);
     this.#trace.dispose();
     this.#geometry?.dispose();
     this.#baked.drop();
@@ -386,13 +419,19 @@ export class PathTracer {
   }
 
   async #createDisplay(format: GPUTextureFormat): Promise<void> {
-    const display = await Display.create(this.device, this.#film, format);
+    const display = await Display.create(this.device, format);
     if (this.#disposed) display.dispose();
     else this.#display = display;
   }
 
+  #filmToRead(): Film {
+    if (this.#disposed) throw new RtViewerError("the path tracer has been disposed of: it has no picture any more");
+    return this.#film;
+  }
+
   /** Shows something else, once its geometry is sorted and a program that fits it is compiled. A newer call overtakes an older one. */
   async #install(next: Shown, options: SceneOptions = {}): Promise<void> {
+    if (this.#disposed) return;
     this.#overtake.abort();
     this.#overtake = new AbortController();
     const { signal } = this.#overtake;
@@ -425,20 +464,21 @@ export class PathTracer {
   }
 
   #show({ scene, camera }: Shown, geometry: Prepared | undefined, compiled: CompiledScene, program: Program): void {
+    const previous = this.#geometry;
+    const hasSameGeometry = geometry?.source === previous?.source;
+    // First, because the device may have no room for it: then the old scene stays.
+    const uploaded = hasSameGeometry ? previous : this.#guarded(() => geometry?.upload(this.device));
     this.#pending = undefined;
     this.#scene = scene;
     this.#camera = camera;
     this.#compiled = compiled;
     this.#stale = true;
-    const hasSameGeometry = geometry?.source === this.#geometry?.source;
     if (program === this.#program && hasSameGeometry) return;
-    if (!hasSameGeometry) {
-      this.#geometry?.dispose();
-      this.#geometry = geometry?.upload(this.device);
-    }
+    if (!hasSameGeometry) previous?.dispose();
+    this.#geometry = uploaded;
     this.#program = program;
     this.#trace.dispose();
-    this.#trace = this.#createTrace();
+    this.#trace = this.#guarded(() => this.#createTrace());
     this.#restart();
   }
 
@@ -462,23 +502,28 @@ export class PathTracer {
   }
 
   /** Whether a program with the scene's values as constants is to take the place of the one that runs. */
-  readonly #isQuicker = async (program: Program, compiled: CompiledScene): Promise<boolean> => {
+  readonly #isQuicker: IsQuicker = async (program, compiled, isWanted) => {
     if (this.#settings.constants !== "auto") return true;
-    const general = this.#program;
     const { compareTraces } = await import("./compareTraces");
-    const scale = Math.min(1, COMPARED_SIDE / Math.max(this.width, this.height));
-    const [width, height] = [this.width, this.height].map((side) => Math.ceil(scale * side)) as [number, number];
+    if (!isWanted()) return false;
+    const general = this.#program;
     const contenders = [
       { program: general, compiled: this.#compiled },
       { program, compiled },
     ] as const;
-    const shared = this.#sharedUniforms(width, height);
-    const ratio = await compareTraces(this.device, contenders, this.#geometry, shared, this.#meter.pace);
-    if (ratio > 1) this.#unbakeable = general;
-    return ratio <= 1;
+    const scale = Math.min(1, COMPARED_SIDE / Math.max(this.width, this.height));
+    const shared = this.#sharedUniforms(Math.ceil(scale * this.width), Math.ceil(scale * this.height));
+    const { pace } = this.#meter;
+    const ratio = await compareTraces(this.device, contenders, this.#geometry, shared, pace, isWanted);
+    if (ratio !== undefined && ratio > 1) this.#unbakeable = general;
+    return ratio !== undefined && ratio <= 1;
   };
 
   #restart(): void {
+    this.#guarded(() => this.#startAnew());
+  }
+
+  #startAnew(): void {
     this.#stale = false;
     this.#restartedAt = performance.now();
     this.#shared = this.#sharedUniforms(this.width, this.height);
@@ -530,16 +575,15 @@ export class PathTracer {
     const taken = progress.samples;
     const wantsError = checks.ask(taken, this.#settings.targetError, taken >= end, performance.now());
 
-    const encoder = this.device.createCommandEncoder({ label: "sample" });
     const trace = this.#baked.trace ?? this.#trace;
-    trace.encode(
-      encoder,
-      slices.map((slice) => ({ ...this.#shared, ...slice })),
-      readback.timestampWrites,
-    );
-    if (wantsError) this.#errorPass.encode(encoder);
-    readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
-    this.device.queue.submit([encoder.finish()]);
+    this.#guarded(() => {
+      const encoder = this.device.createCommandEncoder({ label: "sample" });
+      const frames = slices.map((slice) => ({ ...this.#shared, ...slice }));
+      trace.encode(encoder, frames, readback.timestampWrites);
+      if (wantsError) this.#errorPass.encode(encoder);
+      readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
+      this.device.queue.submit([encoder.finish()]);
+    });
 
     const submit = this.#meter.submit(slices.reduce((sum, { paths }) => sum + paths, 0));
     return this.#inFlight.add(readback, submit.wakeAt - submit.at, wantsError, (report) => {

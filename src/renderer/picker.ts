@@ -2,6 +2,7 @@ import type { CompiledScene } from "../compile/compileScene";
 import { linkProgram } from "../compile/linkProgram";
 import { partOf, type ScenePart } from "../compile/primitives";
 import { add, normalize, scale } from "../compile/vec3";
+import { explainFailure } from "../gpu/device";
 import { createPickPipeline, type PickPipeline, runPick } from "../gpu/pickPass";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
 import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
@@ -46,7 +47,7 @@ export class Picker {
    * @param x - in pixels from the left edge.
    * @param y - from the upper edge.
    * @returns `undefined` where there is nothing, outside of the picture, and after `dispose()`.
-   * @throws {WebGpuError} if the code does not compile.
+   * @throws {WebGpuError} if the code does not compile, or the device fails.
    */
   async pick(sight: () => Sight, x: number, y: number): Promise<Picked | undefined> {
     const { width, height } = sight();
@@ -56,7 +57,7 @@ export class Picker {
       return await this.#trace(sight, (2 * x) / width - 1, 1 - (2 * y) / height);
     } catch (error) {
       if (this.#isDisposed) return undefined; // and the device perhaps with it
-      throw error;
+      throw await explainFailure(this.#device, error);
     }
   }
 

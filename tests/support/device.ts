@@ -9,10 +9,17 @@ import type { Scene } from "../../src/scene/schema";
 let device: Promise<GPUDevice> | undefined;
 const deviceErrors: string[] = [];
 
-/** The file's device. Destroyed after its last test; an error that the device reported outside of a test fails the file. */
+/** The file's device. Destroyed after its last test; an error that the device reported fails the file. */
 export function testDevice(): Promise<GPUDevice> {
   device ??= requestDawnDevice().then((opened) => {
     opened.addEventListener("uncapturederror", ({ error }) => deviceErrors.push(error.message));
+    // Those that a tracer is told of too: it may be disposed of before it throws them.
+    const pop = opened.popErrorScope.bind(opened);
+    opened.popErrorScope = async () => {
+      const error = await pop();
+      if (error) deviceErrors.push(error.message);
+      return error;
+    };
     return opened;
   });
   return device;

@@ -17,6 +17,12 @@ beforeAll(async () => {
   gpu = create(["backend=null"]);
   device = await (await gpu.requestAdapter())!.requestDevice();
   device.addEventListener("uncapturederror", ({ error }) => mistakes.push(error.message));
+  const pop = device.popErrorScope.bind(device);
+  device.popErrorScope = async () => {
+    const error = await pop();
+    if (error) mistakes.push(error.message);
+    return error;
+  };
 });
 afterAll(() => {
   expect(mistakes).toEqual([]);
