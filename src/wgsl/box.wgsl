@@ -48,7 +48,8 @@ fn turnForth(v: vec3f, turn: vec2f) -> vec3f {
 // to the wrong side of the surface.
 fn boxNormal(ray: Ray, point: vec3f, center: vec3f, halfSize: vec3f, turn: vec2f, id: u32) -> vec3f {
   let local = turnBack(point - center, turn) / halfSize;
-  let isInside = (ray.source == (id | INSIDE)) | all(abs(turnBack(ray.o - center, turn)) < halfSize);
+  // As in slabs(): a ray that starts on a face and meets the box goes through it.
+  let isInside = (ray.source == (id | INSIDE)) | all(abs(turnBack(ray.o - center, turn)) <= halfSize);
   let leaving = turnBack(ray.d, turn) * local > vec3f(0.0);
   let size = select(vec3f(0.0), abs(local), leaving == vec3<bool>(isInside));
   let x = (size.x >= size.y) & (size.x >= size.z);
