@@ -3,7 +3,7 @@ import type { Report } from "../gpu/readback";
 import { Pace, pathsOf } from "./pace";
 import type { Slice } from "./progress";
 import { Rate } from "./rates";
-import type { Settings } from "./settings";
+import { type Settings, sampleLimit } from "./settings";
 import type { Stats } from "./stats";
 
 // Presented this soon again, it is the same frame.
@@ -67,9 +67,10 @@ export class Meter {
     this.updateConverged(settings);
   }
 
-  updateConverged({ targetError, maxSamples }: Settings): void {
+  updateConverged(settings: Settings): void {
     const { error, samples } = this.stats;
-    this.stats.converged = (targetError > 0 && error <= targetError) || samples >= maxSamples;
+    const { targetError } = settings;
+    this.stats.converged = (targetError > 0 && error <= targetError) || samples >= sampleLimit(settings);
   }
 
   /** A frame is being presented. */

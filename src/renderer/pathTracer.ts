@@ -19,7 +19,7 @@ import type { Picked, Picker, Sight } from "./picker";
 import { type Prepared, prepareGeometry } from "./prepareGeometry";
 import { createProgram, type Program, programKey } from "./program";
 import { Progress } from "./progress";
-import { DEFAULT_SETTINGS, type Settings } from "./settings";
+import { DEFAULT_SETTINGS, type Settings, sampleLimit } from "./settings";
 import type { Stats } from "./stats";
 
 /** What a tracer is made from. */
@@ -258,7 +258,7 @@ export class PathTracer {
     if (this.#stale) this.#restart();
     if (count >= BAKE_SAMPLES) await this.compile();
     for (let taken = 0; taken < count && !this.stats.converged && !this.#disposed && this.#failure === undefined; ) {
-      const wanted = Math.min(count - taken, this.#settings.maxSamples - this.#progress.samples);
+      const wanted = Math.min(count - taken, sampleLimit(this.#settings) - this.#progress.samples);
       if (wanted <= 0) break;
       if (this.#inFlight.isFull) {
         await this.#inFlight.any();
@@ -321,7 +321,7 @@ export class PathTracer {
     // Finish the first pass of what is shown before following a moving camera, or a slow adapter would never show any.
     const isFirstPass = this.#progress.samples === 0 && !this.#progress.isBalanced;
     if (this.#stale && !isFirstPass) this.#restart();
-    const remaining = this.#settings.maxSamples - this.#progress.samples;
+    const remaining = sampleLimit(this.#settings) - this.#progress.samples;
     if (this.stats.converged || remaining <= 0) return false;
     if (!this.#installing && performance.now() - this.#restartedAt > REST_MS) this.compile().catch(this.#fail);
     this.#work(FRAME_BUDGET_MS, this.#settings.samplesPerFrame, remaining, false).catch(this.#fail);

@@ -31,7 +31,7 @@ export function wgslFunctions(modules: readonly string[]): (choices: Choices) =>
 }
 
 const TOKEN =
-  /\s*(0x[\da-f.]+p[+-]?\d+|0x[\da-f]+u?|\d[\d.]*(?:e[+-]?\d+)?[uif]?|\w+|[<>=!]=|->|&&|\|\||[-+*/]=|[^\s])/giy;
+  /\s*(0x[\da-f.]+p[+-]?\d+|0x[\da-f]+u?|\d[\d.]*(?:e[+-]?\d+)?[uif]?|\w+|<<|[<>=!]=|->|&&|\|\||[-+*/]=|[^\s])/giy;
 
 /** Translates WGSL to JavaScript in which every operation is a call of the runtime. */
 class Parser {
@@ -220,6 +220,7 @@ const BINARY: Readonly<Record<string, { readonly call: string; readonly level: n
   "<=": { call: "notAbove", level: 6 },
   ">": { call: "above", level: 6 },
   ">=": { call: "notBelow", level: 6 },
+  "<<": { call: "shifted", level: 7 },
   "+": { call: "plus", level: 7 },
   "-": { call: "less", level: 7 },
   "*": { call: "times", level: 8 },
@@ -286,6 +287,7 @@ class Runtime {
   max = this.#each((x, y) =>
     typeof x === "bigint" ? (x > (y as bigint) ? x : y) : Math.max(this.#f32(x), this.#f32(y)),
   );
+  shifted = this.#each((x, y) => wrapped((x as bigint) << (y as bigint)));
   min = this.#each((x, y) =>
     typeof x === "bigint" ? (x < (y as bigint) ? x : y) : Math.min(this.#f32(x), this.#f32(y)),
   );

@@ -208,6 +208,26 @@ const RIM_POINTS = [
   [0.5, -1],
 ] as const;
 
+test("the film's sum keeps what it is given, seed 12", () => {
+  const random = createRandom(12);
+  const devices = [...CONSISTENT.map(({ choices }) => choices), randomChoices(createRandom(13))];
+  const calls = 3_000;
+  for (const run of devices.map(wgslFunctions(["film"]))) {
+    let pixel: Value = { sum: [0, 0, 0, 0], carry: [0n, 0n] };
+    let exact = 0;
+    for (let i = 0; i < calls; i++) {
+      const x = Math.fround(10 ** (2 * random() - 1));
+      exact += x;
+      pixel = run("filmAdd", pixel, [x, x, x, 1]);
+    }
+    const { sum } = pixel as unknown as { sum: readonly number[] };
+    // A sample may round by an ULP where it meets what was carried, always the same way, and the carry holds 4 ULP of the sum.
+    const bound = ULP + calls * 2 ** -15 * ULP + 4 * ULP;
+    for (const channel of sum.slice(0, 3)) expect(Math.abs(channel / exact - 1)).toBeLessThan(bound);
+    expect(sum[3]).toBe(calls);
+  }
+});
+
 test("rays between two rectangles with a common edge meet one of them, level and turned, seed 10", () => {
   const random = createRandom(10);
   const run = PLANAR(randomChoices(createRandom(11)));
