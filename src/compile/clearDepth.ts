@@ -1,7 +1,8 @@
 import type { Vec3 } from "../scene/schema";
 import { extent } from "./blockers";
+import { isInView } from "./lampWindow";
 import type { Shape } from "./primitives";
-import { add, dot, scale, subtract } from "./vec3";
+import { add, cross, dot, length, scale, subtract } from "./vec3";
 
 /** A view: the ray through image plane coordinates (x, y) in [-1, 1] runs along forward + x·right + y·up, forward unit. */
 export type View = { readonly origin: Vec3; readonly forward: Vec3; readonly right: Vec3; readonly up: Vec3 };
@@ -15,9 +16,12 @@ export function clearDepth(shapes: readonly Shape[], view: View): number {
   return Number.isFinite(depth) ? Math.max(depth, 0) * MARGIN : 0;
 }
 
-function depthOf(shape: Shape, { origin, forward, right, up }: View): number {
+function depthOf(shape: Shape, view: View): number {
+  const { origin, forward, right, up } = view;
   if (shape.kind !== "plane") {
-    return Math.min(...extent(shape, forward).map((point) => dot(subtract(point, origin), forward)));
+    if (!isInView(shape, view)) return Number.POSITIVE_INFINITY;
+    const depth = Math.min(...extent(shape, forward).map((point) => dot(subtract(point, origin), forward)));
+    return shape.kind === "sphere" ? Math.max(depth, ballDepth(shape, view)) : depth;
   }
   // Along the ray through (x, y) the plane lies at depth height / slope, and the slope is linear in x and y: the nearest
   // point in view is in a corner of the image.
@@ -28,4 +32,20 @@ function depthOf(shape: Shape, { origin, forward, right, up }: View): number {
   const inverseDepth = Math.max(...slopes.map((slope) => slope / height));
   if (height === 0) return 0;
   return inverseDepth > 0 ? 1 / inverseDepth : Number.POSITIVE_INFINITY;
+}
+
+/**
+ * No ray of a view meets a ball at less depth. Of a planet whose horizon is far away the nearest point is not in view: what
+ * comes nearest to its centre decides.
+ */
+function ballDepth({ center, radius }: Shape & { kind: "sphere" }, { origin, forward, right, up }: View): number {
+  const toCenter = subtract(center, origin);
+  const distance = length(toCenter);
+  if (distance <= radius) return 0;
+  const toCorner = Math.atan(Math.hypot(length(right), length(up)));
+  const angle = Math.max(Math.atan2(length(cross(toCenter, forward)), dot(toCenter, forward)) - toCorner, 0);
+  const passes = distance * Math.sin(angle);
+  if (passes >= radius) return Number.POSITIVE_INFINITY;
+  const way = distance * Math.cos(angle) - Math.sqrt((radius - passes) * (radius + passes));
+  return way * Math.cos(toCorner);
 }

@@ -15,6 +15,12 @@ export function lampWindow(lamps: readonly Shape[], view: View): Window {
   return lamps.map((lamp) => windowOf(lamp, view)).reduce(union, NOTHING);
 }
 
+/** Whether a view may show some of a shape. */
+export function isInView(shape: Shape, view: View): boolean {
+  if (length(view.right) === 0 || length(view.up) === 0) return true; // a single ray: it has no image plane
+  return windowOf(shape, view) !== NOTHING;
+}
+
 /** Share of the image that a window takes. */
 export function shareOf([left, bottom, right, top]: Window): number {
   return (Math.max(right - left, 0) * Math.max(top - bottom, 0)) / 4;

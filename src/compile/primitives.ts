@@ -113,8 +113,9 @@ function sphereOf(center: Vec3, radius: number, reach: number): Shape {
   return { kind: "sphere", center, radius, ...(isHuge && { foot: scale(center, 1 - radius / distance) }) };
 }
 
-// Below this, coordinates relative to a sphere's centre lose no more than 6 bits against those relative to what is in view.
-const HUGE = 64;
+// Coordinates relative to a sphere's centre lose digits against those relative to what is in view as soon as that is smaller:
+// at 64 a horizon seen through a lens of 0.04° was 0.07 of a pixel too high. Nearer to 1 the other way loses a bit.
+const HUGE = 1.5;
 
 function meshShape(id: number, geometry: Geometry | undefined): Shape {
   const part = geometry?.parts.find((candidate) => candidate.id === id);

@@ -2,7 +2,7 @@ import { relativeError } from "../gpu/errorPass";
 import type { Report } from "../gpu/readback";
 import { Pace } from "./pace";
 import { Rate } from "./rates";
-import type { Settings } from "./settings";
+import { type Settings, sampleLimit } from "./settings";
 import type { Stats } from "./stats";
 
 // Presented this soon again, it is the same frame.
@@ -69,9 +69,10 @@ export class Meter {
     this.updateConverged(settings);
   }
 
-  updateConverged({ targetError, maxSamples }: Settings): void {
+  updateConverged(settings: Settings): void {
     const { error, samples } = this.stats;
-    this.stats.converged = (targetError > 0 && error <= targetError) || samples >= maxSamples;
+    const { targetError } = settings;
+    this.stats.converged = (targetError > 0 && error <= targetError) || samples >= sampleLimit(settings);
   }
 
   /** A frame is being presented. */

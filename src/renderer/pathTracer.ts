@@ -24,7 +24,7 @@ import type { Picked, Picker, Sight } from "./picker";
 import { type Prepared, prepareGeometry } from "./prepareGeometry";
 import { createProgram, type Program, programKey } from "./program";
 import { Progress } from "./progress";
-import { DEFAULT_SETTINGS, type Settings } from "./settings";
+import { DEFAULT_SETTINGS, type Settings, sampleLimit } from "./settings";
 import type { Stats } from "./stats";
 import { takeSlices } from "./takeSlices";
 import { firstPathsFor } from "./workload";
@@ -293,7 +293,7 @@ export class PathTracer {
     if (this.#disposed) return;
     if (this.#stale) this.#restart();
     if (count >= BAKE_SAMPLES) await this.compile();
-    const end = Math.min(this.#progress.samples + count, this.#settings.maxSamples);
+    const end = Math.min(this.#progress.samples + count, sampleLimit(this.#settings));
     while (this.#progress.samples < end && !this.stats.converged && !this.#disposed && this.#failure === undefined) {
       const samples = Math.min(end - this.#progress.samples, this.#allowedSamples);
       // The first work says how much is right for the next.
@@ -379,7 +379,7 @@ export class PathTracer {
     );
     if (this.stats.converged || samples <= 0) return false;
     if (!this.#installing && performance.now() - this.#restartedAt > REST_MS) this.compile().catch(this.#fail);
-    this.#work(FRAME_BUDGET_MS, samples, this.#settings.maxSamples, true).catch(this.#fail);
+    this.#work(FRAME_BUDGET_MS, samples, sampleLimit(this.#settings), true).catch(this.#fail);
     return true;
   }
 
@@ -554,8 +554,8 @@ export class PathTracer {
   /** Samples per pixel that may be taken now. */
   get #allowedSamples(): number {
     const { samples } = this.#progress;
-    const { maxSamples, targetError } = this.#settings;
-    return Math.min(maxSamples, this.#errorChecks.allowedSamples(samples, targetError)) - samples;
+    const { targetError } = this.#settings;
+    return Math.min(sampleLimit(this.#settings), this.#errorChecks.allowedSamples(samples, targetError)) - samples;
   }
 
   /**

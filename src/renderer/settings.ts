@@ -26,7 +26,10 @@ export type Settings = {
   readonly seed: number;
   /** Sampling stops once `stats.error` is at most this relative RMSE. Default 0: never. */
   readonly targetError: number;
-  /** Sampling stops after this many samples per pixel. Default `Infinity`. */
+  /**
+   * Sampling stops after this many samples per pixel, or after 33,554,432 (2²⁵): their mean is as exact as the film's f32,
+   * and more would change nothing that can be seen. Default `Infinity`.
+   */
   readonly maxSamples: number;
 };
 
@@ -42,3 +45,12 @@ export const DEFAULT_SETTINGS: Settings = {
   targetError: 0,
   maxSamples: Number.POSITIVE_INFINITY,
 };
+
+// What a film counts exactly: 2²⁴ samples in each of its halves, as far as an f32 counts one by one. Sample indices stay below
+// that, and so does what they are multiplied into: nothing wraps that matters.
+const MOST_SAMPLES = 2 ** 25;
+
+/** Samples per pixel after which sampling rests, whatever the error. */
+export function sampleLimit({ maxSamples }: Pick<Settings, "maxSamples">): number {
+  return Math.min(maxSamples, MOST_SAMPLES);
+}

@@ -11,18 +11,21 @@ const SLAB_PADDING = 1.00000024;
 
 // Axis-aligned box by centre and half size; distance to entry, or to exit from inside, <= 0 for a miss.
 fn boxIntersect(ray: Ray, center: vec3f, halfSize: vec3f, id: u32) -> f32 {
-  return slabs((center - ray.o) * ray.inverse, halfSize * abs(ray.inverse), ray.source == (id | INSIDE));
+  return slabs(center - ray.o, halfSize, ray.inverse, ray.source == (id | INSIDE));
 }
 
 // Box turned about the y axis by the angle whose cosine and sine are `turn`.
 fn turnedBoxIntersect(ray: Ray, center: vec3f, halfSize: vec3f, turn: vec2f, id: u32) -> f32 {
-  let inverse = safeInverse(turnBack(ray.d, turn));
-  return slabs(turnBack(center - ray.o, turn) * inverse, halfSize * abs(inverse), ray.source == (id | INSIDE));
+  return slabs(turnBack(center - ray.o, turn), halfSize, safeInverse(turnBack(ray.d, turn)), ray.source == (id | INSIDE));
 }
 
-fn slabs(middle: vec3f, extent: vec3f, fromInside: bool) -> f32 {
-  let enter = middle - extent;
-  let leave = middle + extent;
+// `middle` is the way from the ray's origin to the box's centre, in the box's frame.
+fn slabs(middle: vec3f, halfSize: vec3f, inverse: vec3f, fromInside: bool) -> f32 {
+  // A face on which the origin lies is at distance 0, because ±halfSize is exact: whatever a compiler fuses, the sum is the
+  // same. Of middle·inverse ± halfSize·|inverse| it fuses one product, and the rounding of the other remains.
+  let ahead = halfSize * sign(inverse);
+  let enter = (middle - ahead) * inverse;
+  let leave = (middle + ahead) * inverse;
   let near = greater(greater(enter.x, enter.y), enter.z);
   let far = lesser(lesser(leave.x, leave.y), leave.z);
   let t = select(-1.0, select(near, far, near <= 0.0), near <= far * SLAB_PADDING);
@@ -45,7 +48,8 @@ fn turnForth(v: vec3f, turn: vec2f) -> vec3f {
 // to the wrong side of the surface.
 fn boxNormal(ray: Ray, point: vec3f, center: vec3f, halfSize: vec3f, turn: vec2f, id: u32) -> vec3f {
   let local = turnBack(point - center, turn) / halfSize;
-  let isInside = (ray.source == (id | INSIDE)) | all(abs(turnBack(ray.o - center, turn)) < halfSize);
+  // As in slabs(): a ray that starts on a face and meets the box goes through it.
+  let isInside = (ray.source == (id | INSIDE)) | all(abs(turnBack(ray.o - center, turn)) <= halfSize);
   let leaving = turnBack(ray.d, turn) * local > vec3f(0.0);
   let size = select(vec3f(0.0), abs(local), leaving == vec3<bool>(isInside));
   let x = (size.x >= size.y) & (size.x >= size.z);

@@ -9,7 +9,7 @@
 // differences from their multiples are exact whatever the rounding.
 
 struct FilmPixel {
-  // Not negative; w counts samples.
+  // Not negative; w counts samples, up to 2²⁴: see renderer/settings.ts.
   sum: vec4f,
   // Three unorm16 shares of quantum(sum).
   carry: vec2u,

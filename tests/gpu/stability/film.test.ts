@@ -59,6 +59,35 @@ test.each(rows)("a million samples, $name, add up to their sum", async ({ values
   }
 });
 
+// Of 2²⁴ samples, as many as a half of the film takes, the last 4,096 one by one, and more than that for good measure.
+test("the last of 2²⁴ samples count as much as the first", async () => {
+  const last = 4096;
+  const words = await runProbe({
+    wgsl: `
+      import package::film::{FilmPixel, filmAdd};
+      fn probe(i: u32) {
+        let x = bitcast<f32>(inputs[i].x);
+        let before = 16777216.0 - ${last}.0;
+        var pixel = filmAdd(FilmPixel(vec4f(0.0), vec2u(0u)), vec4f(x * 0x1p24, x * 0x1p24, x * 0x1p24, before));
+        for (var k = 0u; k < ${last}u; k++) { pixel = filmAdd(pixel, vec4f(0.0, x, 3.0 * x, 1.0)); }
+        outputs[i] = bitcast<vec4u>(pixel.sum);
+      }`,
+    conditions: {},
+    count: 64,
+    inputs: new Float32Array(Array.from({ length: 64 }, (_, i) => [1 + i / 64, 0, 0, 0]).flat()),
+    outputRows: 64,
+  });
+  const sums = new Float32Array(words.buffer);
+  for (let i = 0; i < 64; i++) {
+    const x = 1 + i / 64;
+    const expected = [0, 1, 3].map((times) => x * 2 ** 24 + times * last * x);
+    // As above: 2⁻¹⁵ ULP a call, and less than 4 ULP that the carry holds.
+    const bound = (last * 2 ** -15 + 4) * 2 ** -23;
+    for (let c = 0; c < 3; c++) expect(Math.abs(sums[4 * i + c]! / expected[c]! - 1)).toBeLessThan(bound);
+    expect(sums[4 * i + 3]).toBe(2 ** 24);
+  }
+});
+
 afterAll(() => {
   recordStability("film", [
     {

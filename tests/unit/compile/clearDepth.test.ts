@@ -19,9 +19,35 @@ describe("the depth in front of which a view is clear", () => {
     expect(depth).toBeGreaterThan(997.9);
   });
 
-  test("is 0 where a shape reaches the camera or lies behind it", () => {
+  test("is 0 where a shape reaches the camera", () => {
     expect(clearDepth([{ ...BALL, radius: 2000 }], VIEW)).toBe(0);
-    expect(clearDepth([BALL, { ...BALL, center: [0, 0, 1500] }], VIEW)).toBe(0);
+    expect(clearDepth([BALL, { ...BALL, center: [0, 0, 1000.5] }], VIEW)).toBe(0);
+    expect(clearDepth([{ kind: "box", center: [0, 0, 0], halfSize: [1, 1, 2000], turn: undefined }], VIEW)).toBe(0);
+  });
+
+  test("does not end at a shape that is not in view", () => {
+    const behind: Shape = { ...BALL, center: [0, 0, 1500] };
+    const beside: Shape = { kind: "box", center: [30, 0, 900], halfSize: [1, 1, 1], turn: undefined };
+    expect(clearDepth([BALL, behind, beside], VIEW)).toBe(clearDepth([BALL], VIEW));
+  });
+
+  test("ends where a planet comes into view, not where it comes closest to the camera", () => {
+    // From 50 above a planet of radius 10⁴ the horizon is a little more than 1000 away; the image shows it and a part before it.
+    const radius = 1e4;
+    const dip = Math.acos(radius / (radius + 50));
+    const [c, s] = [Math.cos(dip), Math.sin(dip)];
+    const view: View = { ...VIEW, forward: [0, -s, -c], up: [0, 0.01 * c, -0.01 * s] };
+    const depth = clearDepth([{ kind: "sphere", center: [0, -radius - 50, 1000], radius }], view);
+    const toEdge = Math.PI / 2 - dip - Math.atan(0.01); // from straight down
+    const [across, along] = [(radius + 50) * Math.sin(toEdge), (radius + 50) * Math.cos(toEdge)];
+    const first = along - Math.sqrt(radius ** 2 - across ** 2);
+    expect(depth).toBeLessThan(first);
+    expect(depth).toBeGreaterThan(0.9 * first);
+  });
+
+  test("is the way along a single ray, too", () => {
+    const ray: View = { ...VIEW, right: [0, 0, 0], up: [0, 0, 0] };
+    expect(clearDepth([BALL], ray)).toBeCloseTo(999 * (1 - 2 ** -10), 9);
   });
 
   test("is 0 in an empty scene", () => {

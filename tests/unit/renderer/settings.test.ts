@@ -1,0 +1,35 @@
+import { expect, test } from "vitest";
+import { Meter } from "../../../src/renderer/meter";
+import { Progress } from "../../../src/renderer/progress";
+import { DEFAULT_SETTINGS, sampleLimit } from "../../../src/renderer/settings";
+
+// The largest count that an f32 reaches in steps of one.
+const COUNTED = 2 ** 24;
+
+test("a film that runs for a year stops where its halves can count no further", () => {
+  const limit = sampleLimit(DEFAULT_SETTINGS);
+  expect([limit, sampleLimit({ maxSamples: 1e12 }), sampleLimit({ maxSamples: 100 })]).toEqual([
+    2 * COUNTED,
+    limit,
+    100,
+  ]);
+  const progress = new Progress(1, 1);
+  while (progress.samples < limit) {
+    const slice = progress.next(1e9, 1_000_003, limit - progress.samples);
+    expect(slice.firstSample + slice.sampleCount).toBeLessThanOrEqual(COUNTED);
+    progress.finish(slice);
+  }
+  expect(progress.samples).toBe(limit);
+  expect(progress.isBalanced).toBe(true);
+});
+
+test("at that limit sampling rests, whatever maxSamples is", () => {
+  const meter = new Meter("");
+  const report = { gpuMs: undefined, rays: 0, badSamples: 0, errorSums: undefined };
+  const isConvergedAt = (samples: number) => {
+    meter.count(samples, report);
+    meter.updateConverged(DEFAULT_SETTINGS);
+    return meter.stats.converged;
+  };
+  expect([isConvergedAt(2 * COUNTED - 1), isConvergedAt(2 * COUNTED)]).toEqual([false, true]);
+});
