@@ -203,7 +203,7 @@ describe("accumulation", () => {
 
   test("stops at targetError, within twice the samples that are enough, seed 5", async () => {
     const patient = await createTracer(SPHERES);
-    do await patient.sample(2);
+    do await patient.sample(1);
     while (patient.stats.error > 0.1);
     const { samples: enough } = patient.stats;
     patient.dispose();
