@@ -425,8 +425,7 @@ export class PathTracer {
   };
 
   /** The scene as it is, with its values as constants. */
-  readonly #bakedScene = (): CompiledScene =>
-    compileScene(this.#scene, this.#settings, this.#camera, this.#geometry?.source);
+  readonly #bakedScene = (): CompiledScene => this.#compiled.atRest(this.#camera);
 
   get #target(): Target {
     return { geometry: this.#geometry, film: this.#film };

@@ -1,4 +1,4 @@
-const RUNS = 5;
+const RUNS = 4;
 
 /**
  * By which factor the CPU time of a work grows from `size` to four times the size: 4 if it is linear, 16 if quadratic. The
