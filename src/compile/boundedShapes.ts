@@ -14,18 +14,20 @@ export type BoundedPrimitive = { readonly id: number; readonly shape: BoundedSha
  */
 export const MAX_UNROLLED = 32;
 
-export function boundedShapesOf(scene: ResolvedScene, origin: Vec3): BoundedPrimitive[] {
-  return shapesOf(scene, origin).filter((entry): entry is BoundedPrimitive => isBounded(entry.shape));
+export function* boundedShapesOf(scene: ResolvedScene, origin: Vec3): Generator<BoundedPrimitive> {
+  for (const { id, shape } of shapesOf(scene, origin)) if (isBounded(shape)) yield { id, shape };
 }
 
 /** Whether a scene has something for the tree: for `prepareGeometry`, which pages load only then. */
 export function needsGeometry(scene: ResolvedScene): boolean {
   if (scene.objects.some(({ type }) => type === "mesh")) return true;
-  return boundedShapesOf(scene, scene.camera.target).length > MAX_UNROLLED;
+  const bounded = boundedShapesOf(scene, scene.camera.target);
+  for (let count = 0; !bounded.next().done; count++) if (count === MAX_UNROLLED) return true;
+  return false;
 }
 
 /** Huge spheres are measured from a point on them, which the tree has no room for. */
-function isBounded(shape: Shape): boolean {
+function isBounded(shape: Shape): shape is BoundedShape {
   if (shape.kind === "sphere") return shape.foot === undefined;
   if (shape.kind === "triangle") return hasArea(shape.vertices);
   return shape.kind !== "plane" && shape.kind !== "mesh";

@@ -1,7 +1,7 @@
 import type { Vec3 } from "../scene/schema";
-import { extent } from "./blockers";
 import { isInView } from "./lampWindow";
 import type { Shape } from "./primitives";
+import { reachAlong } from "./reach";
 import { add, cross, dot, length, scale, subtract } from "./vec3";
 
 /** A view: the ray through image plane coordinates (x, y) in [-1, 1] runs along forward + x·right + y·up, forward unit. */
@@ -12,22 +12,27 @@ const MARGIN = 1 - 2 ** -10;
 
 /** A distance along `forward` in front of which a view has no surface; 0 if one may be at the camera. */
 export function clearDepth(shapes: readonly Shape[], view: View): number {
-  const depth = Math.min(...shapes.map((shape) => depthOf(shape, view)));
+  const backward = scale(view.forward, -1);
+  let depth = Number.POSITIVE_INFINITY;
+  for (const shape of shapes) {
+    const least = shape.kind === "plane" ? depthOfPlane(shape, view) : depthOf(shape, view, backward);
+    // Whether a shape is in view takes longer to find out than whether it matters.
+    if (least < depth && (shape.kind === "plane" || isInView(shape, view))) depth = least;
+  }
   return Number.isFinite(depth) ? Math.max(depth, 0) * MARGIN : 0;
 }
 
-function depthOf(shape: Shape, view: View): number {
-  const { origin, forward, right, up } = view;
-  if (shape.kind !== "plane") {
-    if (!isInView(shape, view)) return Number.POSITIVE_INFINITY;
-    const depth = Math.min(...extent(shape, forward).map((point) => dot(subtract(point, origin), forward)));
-    return shape.kind === "sphere" ? Math.max(depth, ballDepth(shape, view)) : depth;
-  }
+function depthOf(shape: Exclude<Shape, { kind: "plane" }>, view: View, backward: Vec3): number {
+  const depth = -reachAlong(shape, backward, view.origin);
+  return shape.kind === "sphere" ? Math.max(depth, ballDepth(shape, view)) : depth;
+}
+
+function depthOfPlane(plane: Shape & { kind: "plane" }, { origin, forward, right, up }: View): number {
   // Along the ray through (x, y) the plane lies at depth height / slope, and the slope is linear in x and y: the nearest
   // point in view is in a corner of the image.
-  const height = dot(subtract(shape.point, origin), shape.normal);
+  const height = dot(subtract(plane.point, origin), plane.normal);
   const slopes = [-1, 1].flatMap((x) =>
-    [-1, 1].map((y) => dot(add(forward, add(scale(right, x), scale(up, y))), shape.normal)),
+    [-1, 1].map((y) => dot(add(forward, add(scale(right, x), scale(up, y))), plane.normal)),
   );
   const inverseDepth = Math.max(...slopes.map((slope) => slope / height));
   if (height === 0) return 0;

@@ -1,43 +1,24 @@
 import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
-import { canBlock } from "./blockers";
-import { emitScene } from "./emitScene";
+import { Blockers } from "./blockers";
+import { emitScene, type SceneParts } from "./emitScene";
 import { emittersOf, isEmissive } from "./emitters";
 import { deriveFeatures, describeFeatures, type Features, type ProgramSettings } from "./features";
 import type { Geometry } from "./geometry";
-import { packScene } from "./packScene";
+import { lampsOf } from "./lampWindow";
+import { bytesOf, packScene, packTables, tablesOf } from "./packScene";
 import { primitivesOf, type Shape } from "./primitives";
+import { unrollingOf } from "./unrolling";
 import { Literals, Slots } from "./values";
 import { subtract } from "./vec3";
 
 // maxUniformBufferBindingSize of every WebGPU device.
 const MAX_UNIFORM_BYTES = 65536;
 
-/** A scene made ready for the shader. */
-export type CompiledScene = {
-  /** The generated module `scene`. Scenes that differ only in values that live in slots have the same text. */
-  readonly sceneModule: string;
-  readonly features: Features;
-  /** The features in words. */
-  readonly description: readonly string[];
-  /** Contents of `scene`: of a uniform buffer or, if stored, of a read-only storage buffer. */
-  readonly uniform: ArrayBuffer;
-  readonly isStored: boolean;
-  /** What rays can hit, relative to `origin`. */
-  readonly shapes: readonly Shape[];
-  /** Those of them that emit. */
-  readonly lamps: readonly Shape[];
-  /** What light sampling chooses among. */
-  readonly lightCount: number;
-  /** The scene's point that is the shader's origin; subtract it from the camera's position. */
-  readonly origin: Vec3;
-};
-
 /**
  * Compiles a scene to generated WGSL and the data it reads. Pure, and quick enough for every change of a value: linking,
  * which is not, is needed only when `sceneModule` or `features` differ from before.
  *
- * @param restingCamera - given one, values stand in the text as constants, and what they rule out, seen from that camera,
- * is left out. Faster to run, good for this scene only, and the same image up to rounding. Without one, values live in the
+ * @param restingCamera - given one, the scene is compiled for it: see `CompiledScene.atRest`. Without one, values live in the
  * uniform, and the text depends only on what kinds of things there are.
  * @param geometry - what `prepareGeometry` made of the scene.
  */
@@ -60,30 +41,90 @@ export function compileScene(
     geometry,
     settings,
   );
-  const slots = new Slots();
-  const camera = restingCamera && subtract(restingCamera.position, origin);
   const textures = features.TEXTURES ? scene.textures : {}; // nobody may use them
-  const textureCount = Object.keys(textures).length;
-  const pack = () => packScene(primitives, emitters, geometry, environment, textures, slots.numbers);
-  const sceneModule = emitScene(
-    { primitives, emitters, features, textureCount, geometry },
-    camera ? new Literals() : slots,
-    (id) => camera === undefined || canBlock(id, primitives, emitters, camera),
-    () => ({ slotCount: slots.numbers.length / 4, isStored: pack().byteLength > MAX_UNIFORM_BYTES }),
-  );
-  const uniform = pack();
-  return {
-    sceneModule,
-    features,
-    description: [
-      ...describeFeatures(primitives, emitters, features),
-      camera ? "values as constants" : "values in a buffer",
-    ],
-    uniform,
-    isStored: uniform.byteLength > MAX_UNIFORM_BYTES,
-    shapes: primitives.map(({ shape }) => shape),
-    lamps: primitives.filter(isEmissive).map(({ shape }) => shape),
-    lightCount: emitters.length,
+  const unrolling = unrollingOf(primitives, geometry);
+  const tables = tablesOf(primitives, emitters, unrolling, geometry, environment, textures);
+  const parts = { primitives, emitters, unrolling, features, tables, geometry };
+  const compiled = new CompiledScene({
+    ...parts,
     origin,
-  };
+    packed: packTables(tables),
+    description: describeFeatures(primitives, emitters, features),
+    shapes: primitives.map(({ shape }) => shape),
+    lamps: lampsOf(primitives.filter(isEmissive).map(({ shape }) => shape)),
+    lightCount: emitters.length,
+    blockers: new Blockers(primitives, emitters),
+  });
+  return restingCamera ? compiled.atRest(restingCamera) : compiled;
+}
+
+/** What the two programs of a scene have in common. */
+type Shared = SceneParts & {
+  readonly origin: Vec3;
+  /** The bytes of its tables. */
+  readonly packed: readonly ArrayBuffer[];
+  readonly description: readonly string[];
+  readonly shapes: readonly Shape[];
+  readonly lamps: readonly Shape[];
+  readonly lightCount: number;
+  readonly blockers: Blockers;
+};
+
+/** A scene made ready for the shader. */
+export class CompiledScene {
+  /** The generated module `scene`. Scenes that differ only in values that live in slots have the same text. */
+  readonly sceneModule: string;
+  readonly features: Features;
+  /** The features in words. */
+  readonly description: readonly string[];
+  /** Contents of `scene`: of a uniform buffer or, if stored, of a read-only storage buffer. */
+  readonly uniform: ArrayBuffer;
+  readonly isStored: boolean;
+  /** What rays can hit, relative to `origin`. */
+  readonly shapes: readonly Shape[];
+  /** Those of them that emit; one box around them where they are many. */
+  readonly lamps: readonly Shape[];
+  /** What light sampling chooses among. */
+  readonly lightCount: number;
+  /** The scene's point that is the shader's origin; subtract it from the camera's position. */
+  readonly origin: Vec3;
+  readonly #shared: Shared;
+  /** The last one made, and the primitives that could block in it. */
+  #atRest: { readonly blocking: string; readonly compiled: CompiledScene } | undefined;
+
+  /** @param blocking - for values as constants: which of the unrolled primitives can block. */
+  constructor(shared: Shared, blocking?: ReadonlySet<number>) {
+    const slots = new Slots();
+    const sizeOf = () => {
+      const slotCount = slots.numbers.length / 4;
+      return { slotCount, isStored: bytesOf(shared.packed) + 16 * Math.max(slotCount, 1) > MAX_UNIFORM_BYTES };
+    };
+    const values = blocking ? new Literals() : slots;
+    this.sceneModule = emitScene(shared, values, (id) => blocking?.has(id) ?? true, sizeOf);
+    this.uniform = packScene(shared.packed, slots.numbers);
+    this.isStored = this.uniform.byteLength > MAX_UNIFORM_BYTES;
+    this.features = shared.features;
+    this.description = [...shared.description, blocking ? "values as constants" : "values in a buffer"];
+    this.shapes = shared.shapes;
+    this.lamps = shared.lamps;
+    this.lightCount = shared.lightCount;
+    this.origin = shared.origin;
+    this.#shared = shared;
+  }
+
+  /**
+   * The same scene with its values in the text as constants; what they rule out, seen from a camera, is left out. Faster to run,
+   * good for this scene only, and the same image up to rounding. Cameras for which that makes no difference get the same object:
+   * a moving camera costs next to nothing.
+   */
+  atRest(camera: ResolvedCamera): CompiledScene {
+    const { blockers, unrolling, origin } = this.#shared;
+    const position = subtract(camera.position, origin);
+    const ids = unrolling.unrolled.filter((id) => blockers.canBlock(id, position));
+    const blocking = ids.join(" ");
+    if (this.#atRest?.blocking !== blocking) {
+      this.#atRest = { blocking, compiled: new CompiledScene(this.#shared, new Set(ids)) };
+    }
+    return this.#atRest.compiled;
+  }
 }

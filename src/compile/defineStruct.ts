@@ -29,24 +29,23 @@ export type StructLayout<F extends StructFields> = {
  */
 export function defineStruct<const F extends StructFields>(fields: F): StructLayout<F> {
   let end = 0;
-  const offsets = Object.entries(fields).map(([name, type]) => {
-    const { align, size } = TYPES[type];
+  const places = Object.entries(fields).map(([name, type]) => {
+    const { align, size, count } = TYPES[type];
     const offset = roundUp(end, align);
     end = offset + size;
-    return { name, type, offset };
+    return { name, offset, count, isFloat: type.endsWith("f") || type === "f32" };
   });
 
   return {
     fields,
     bytes: roundUp(end, 16),
     write(target, byteOffset, value) {
-      for (const { name, type, offset } of offsets) {
-        const field = value[name as keyof F];
-        const components = typeof field === "number" ? [field] : (field as ArrayLike<number>);
-        for (let i = 0; i < TYPES[type].count; i++) {
+      for (const { name, offset, count, isFloat } of places) {
+        const field: number | ArrayLike<number> = value[name as keyof F];
+        for (let i = 0; i < count; i++) {
           const at = byteOffset + offset + 4 * i;
-          const component = components[i] ?? 0;
-          if (type.endsWith("f") || type === "f32") target.setFloat32(at, component, true);
+          const component = typeof field === "number" ? field : (field[i] ?? 0);
+          if (isFloat) target.setFloat32(at, component, true);
           else target.setUint32(at, component, true);
         }
       }

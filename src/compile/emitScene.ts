@@ -5,22 +5,25 @@ import type { Vec3 } from "../scene/schema";
 import type { StructFields, StructLayout } from "./defineStruct";
 import { halfEdgeDuals } from "./duals";
 import { emitLightChoice, hasManyLights } from "./emitLights";
+import { emitBlockingLoops, emitClosestLoops, emitRowStruct, emitTableMembers } from "./emitLoops";
 import type { Emitter } from "./emitters";
 import type { Features } from "./features";
 import type { Geometry } from "./geometry";
 import { LIGHT, MATERIAL } from "./layouts";
-import { anchorRows, lightRows, materialRows, shapeRow } from "./packScene";
-import { hasArea, type Primitive, type Shape, unreachable } from "./primitives";
+import type { Tables } from "./packScene";
+import { type Primitive, type Shape, unreachable } from "./primitives";
 import { dualWithRim, inCommonOrder, withRim } from "./rims";
-import type { RowType, Values } from "./values";
+import type { Unrolling } from "./unrolling";
+import type { Row, RowType, Values } from "./values";
 import { add, length, scale, subtract } from "./vec3";
 
 /** What a scene is made of, as the shader sees it. */
 export type SceneParts = {
   readonly primitives: readonly Primitive[];
   readonly emitters: readonly Emitter[];
+  readonly unrolling: Unrolling;
   readonly features: Features;
-  readonly textureCount: number;
+  readonly tables: Tables;
   readonly geometry: Geometry | undefined;
 };
 
@@ -33,15 +36,13 @@ export type SceneParts = {
  * buffer, being too many for a uniform.
  */
 export function emitScene(
-  { primitives, emitters, features, textureCount, geometry }: SceneParts,
+  { primitives, emitters, unrolling, features, tables, geometry }: SceneParts,
   values: Values,
   blocks: (id: number) => boolean,
   packed: () => { readonly slotCount: number; readonly isStored: boolean },
 ): string {
   const sampled = new Set(emitters.map((emitter) => emitter.primitive));
-  const emitted = primitives.flatMap(({ shape }, id) =>
-    shape.kind === "mesh" || geometry?.shapes.has(id) ? [] : [{ id, ...emitPrimitive(shape, id, values) }],
-  );
+  const emitted = unrolling.unrolled.map((id) => ({ id, ...emitPrimitive(primitives[id]!.shape, id, values) }));
   const shear = features.TRIANGLES ? "  let shear = shearOf(ray);\n" : "";
 
   const closest = emitted.map(({ id, distance }) => `  hit = nearer(hit, ${distance}, ${id}u, ray);\n`).join("");
@@ -58,6 +59,7 @@ export function emitScene(
     .map(({ id, normal }) => (normal ? `  n = select(n, ${normal}, id == ${id}u);\n` : ""))
     .join("");
 
+  const textureCount = tables.textures.length;
   const lightChoice = emitLightChoice(emitters, features, values);
   const { slotCount, isStored } = packed();
 
@@ -75,16 +77,16 @@ import package::tree::{treeClosest, treeOccludes};
 // Ids from here on are those of items of the tree, by their slot.
 const PRIMITIVES = ${primitives.length}u;
 const STACK_SIZE = ${stackSizeFor(geometry)}u;
-
+${emitRowStruct(unrolling)}
 struct Scene {
   environment: vec4f,
   materials: array<Material, ${Math.max(primitives.length, 1)}>,
   // Centre and radius of a sphere; unit normal and 0 of a flat primitive; a box has only w, -1.
   shapes: array<vec4f, ${Math.max(primitives.length, 1)}>,
   // See anchorRow in compile/packScene.ts.
-  anchors: array<vec4f, ${Math.max(anchorRows(primitives).length, 1)}>,
+  anchors: array<vec4f, ${Math.max(tables.anchors.length, 1)}>,
   lights: array<Light, ${Math.max(emitters.length, 1)}>,
-${hasManyLights(emitters) ? lightMembers(emitters.length, primitives.length) : ""}${textureCount > 0 ? textureMembers(primitives.length, textureCount) : ""}  // Values of the intersection functions below.
+${hasManyLights(emitters) ? lightMembers(emitters.length, primitives.length) : ""}${emitTableMembers(unrolling)}${textureCount > 0 ? textureMembers(primitives.length, textureCount) : ""}  // Values of the intersection functions below.
   slots: array<vec4f, ${Math.max(slotCount, 1)}>,
 }
 
@@ -93,13 +95,13 @@ ${hasManyLights(emitters) ? lightMembers(emitters.length, primitives.length) : "
 
 fn closestHit(ray: Ray) -> Hit {
 ${shear}  var hit = noHit();
-${closest}${features.TREE ? "  hit = treeClosest(ray, hit);\n" : ""}  return hit;
+${closest}${emitClosestLoops(unrolling)}${features.TREE ? "  hit = treeClosest(ray, hit);\n" : ""}  return hit;
 }
 
 // Whether something other than \`target_\` lies between the ray's origin and the point at \`distance\`.
 fn occluded(ray: Ray, distance: f32, target_: u32) -> bool {
 ${shear}  var blocked = false;
-${blockers}${features.TREE ? "  if (!blocked) { blocked = treeOccludes(ray, distance, target_); }\n" : ""}  return blocked;
+${blockers}${emitBlockingLoops(unrolling)}${features.TREE ? "  if (!blocked) { blocked = treeOccludes(ray, distance, target_); }\n" : ""}  return blocked;
 }
 
 // Outward normals of shapes whose normal is neither constant nor radial.
@@ -112,7 +114,7 @@ fn environment() -> vec3f {
   return scene.environment.rgb;
 }
 ${textureCount > 0 ? TEXTURE_LOOKUPS : ""}
-${emitLookups(primitives, emitters, geometry, values)}
+${emitLookups(tables, values)}
 ${lightChoice}`;
 }
 
@@ -153,42 +155,18 @@ fn textureOf(i: u32) -> Texture {
  * Functions that look values up: `shapeOf(id)`; per field of a material `alphaOf(id)` and so on; per field of a light
  * `lightSize(index)` and so on, and `lightAt(index)`. The linker drops those that the features leave unused.
  */
-function emitLookups(
-  primitives: readonly Primitive[],
-  emitters: readonly Emitter[],
-  geometry: Geometry | undefined,
-  values: Values,
-): string {
-  const lookup = (name: string, type: RowType, uniform: string, rows: readonly (number | ArrayLike<number>)[]) => {
-    const components = rows.map((row) => (typeof row === "number" ? [row] : Array.from(row)));
-    return `fn ${name}(i: u32) -> ${type} {\n${values.lookup(uniform, type, components)}}\n`;
-  };
-  const materials = materialRows(primitives, emitters);
-  const lights = lightRows(primitives, emitters, geometry);
+function emitLookups({ materials, shapes, anchors, lights }: Tables, values: Values): string {
+  const lookup = <R>(name: string, type: RowType, uniform: string, rows: readonly R[], fieldOf: (row: R) => Row) =>
+    `fn ${name}(i: u32) -> ${type} {\n${values.lookup(uniform, type, rows.length, (i) => fieldOf(rows[i]!))}}\n`;
   const lightFields = fieldsOf(LIGHT).map(([field]) => `${lightField(field)}(i)`);
   return [
-    lookup(
-      "shapeOf",
-      "vec4f",
-      "scene.shapes[i]",
-      primitives.map(({ shape }) => shapeRow(shape)),
-    ),
-    lookup("anchorOf", "vec4f", "scene.anchors[i]", anchorRows(primitives)),
+    lookup("shapeOf", "vec4f", "scene.shapes[i]", shapes, (row) => row),
+    lookup("anchorOf", "vec4f", "scene.anchors[i]", anchors, (row) => row),
     ...fieldsOf(MATERIAL).map(([field, type]) =>
-      lookup(
-        `${field}Of`,
-        type,
-        `scene.materials[i].${field}`,
-        materials.map((row) => row[field]),
-      ),
+      lookup(`${field}Of`, type, `scene.materials[i].${field}`, materials, (row) => row[field]),
     ),
     ...fieldsOf(LIGHT).map(([field, type]) =>
-      lookup(
-        lightField(field),
-        type,
-        `scene.lights[i].${field}`,
-        lights.map((row) => row[field]),
-      ),
+      lookup(lightField(field), type, `scene.lights[i].${field}`, lights, (row) => row[field]),
     ),
     `fn lightAt(i: u32) -> Light {\n  return Light(${lightFields.join(", ")});\n}\n`,
   ].join("\n");
@@ -210,7 +188,7 @@ type EmittedPrimitive = {
   readonly normal?: string;
 };
 
-function emitPrimitive(shape: Exclude<Shape, { kind: "mesh" }>, id: number, values: Values): EmittedPrimitive {
+function emitPrimitive(shape: Shape, id: number, values: Values): EmittedPrimitive {
   switch (shape.kind) {
     case "sphere":
       if (shape.foot) {
@@ -237,8 +215,6 @@ function emitPrimitive(shape: Exclude<Shape, { kind: "mesh" }>, id: number, valu
       return { distance: `quadIntersect(ray, ${center}, ${frame}, ${reach})` };
     }
     case "triangle": {
-      // In f32 it would be hit by rays at it, at distances that are noise.
-      if (!hasArea(shape.vertices)) return { distance: "-1.0" };
       const vertices = inCommonOrder(shape.vertices)
         .map((vertex) => values.vec3(vertex))
         .join(", ");
@@ -252,6 +228,8 @@ function emitPrimitive(shape: Exclude<Shape, { kind: "mesh" }>, id: number, valu
       if (shape.turn === undefined) return { distance: `boxIntersect(ray, ${body}, ${id}u)`, normal };
       return { distance: `turnedBoxIntersect(ray, ${body}, ${rotation}, ${id}u)`, normal };
     }
+    case "mesh":
+      throw new TypeError("a mesh is in the tree");
     default:
       return unreachable(shape);
   }

@@ -35,31 +35,35 @@ export type Emitter = {
  * light is found by scattered rays.
  */
 export function emittersOf(scene: ResolvedScene, primitives: readonly Primitive[], origin: Vec3): Emitter[] {
-  const emitters = [
-    ...primitives.flatMap((primitive, index) =>
-      isEmissive(primitive) ? surfaceEmitters(primitive.shape, primitive.emission, index) : [],
-    ),
-    ...scene.lights.flatMap((light) => (light.type === "point" ? [pointEmitter(light, origin)] : [])),
-  ];
-  const strongest = Math.max(...emitters.map(({ strength }) => strength));
-  if (!(strongest > 0)) return emitters;
-  return emitters.map((emitter) => ({ ...emitter, strength: emitter.strength / strongest }));
+  const emitters: Weighed[] = [];
+  for (const [index, primitive] of primitives.entries()) {
+    if (!isEmissive(primitive)) continue;
+    for (const emitter of surfaceEmitters(primitive.shape, primitive.emission, index)) emitters.push(emitter);
+  }
+  for (const light of scene.lights) if (light.type === "point") emitters.push(pointEmitter(light, origin));
+  let strongest = 0;
+  for (const { strength } of emitters) strongest = Math.max(strongest, strength);
+  if (strongest > 0) for (const emitter of emitters) emitter.strength /= strongest;
+  return emitters;
 }
 
-function pointEmitter(light: ResolvedLight & { type: "point" }, origin: Vec3): Emitter {
+/** An emitter whose strength is still to be put in proportion. */
+type Weighed = Omit<Emitter, "strength"> & { strength: number };
+
+function pointEmitter(light: ResolvedLight & { type: "point" }, origin: Vec3): Weighed {
   const position = subtract(light.position, origin);
   const radiance = scale(light.power, 1 / (4 * Math.PI));
-  const bound = { center: position, radius: 0 };
   return {
-    ...NO_EDGES,
     kind: "point",
     position,
     size: 0,
+    edge1: NO_EDGE,
+    edge2: NO_EDGE,
     radiance,
     primitive: undefined,
     strength: sum(radiance),
     front: undefined,
-    bound,
+    bound: { center: position, radius: 0 },
   };
 }
 
@@ -68,15 +72,15 @@ export function isEmissive(primitive: Primitive): boolean {
   return primitive.material === "black" || sum(primitive.emission) > 0;
 }
 
-const NO_EDGES = { edge1: [0, 0, 0], edge2: [0, 0, 0] } as const;
+const NO_EDGE: Vec3 = [0, 0, 0];
 
-function surfaceEmitters(shape: Shape, radiance: Rgb, primitive: number): Emitter[] {
+function surfaceEmitters(shape: Shape, radiance: Rgb, primitive: number): Weighed[] {
   switch (shape.kind) {
     case "sphere": {
       const { center: position, radius: size } = shape;
       const strength = sum(radiance) * Math.PI * size ** 2;
       const bound = { center: position, radius: size };
-      return [{ ...NO_EDGES, kind: "sphere", position, size, radiance, primitive, strength, front: undefined, bound }];
+      return [curved("sphere", position, size, radiance, primitive, strength, bound)];
     }
     case "quad": {
       const { corner, edge1, edge2 } = shape;
@@ -100,23 +104,24 @@ function surfaceEmitters(shape: Shape, radiance: Rgb, primitive: number): Emitte
       // Of a closed surface, or of any seen from any side, a quarter of the area shows on average.
       const strength = (sum(radiance) * lamp.area) / 4;
       const position: Vec3 = [lamp.first, lamp.count, 0];
-      return [
-        {
-          ...NO_EDGES,
-          kind: "mesh",
-          position,
-          size: lamp.area,
-          radiance,
-          primitive,
-          strength,
-          front: undefined,
-          bound,
-        },
-      ];
+      return [curved("mesh", position, lamp.area, radiance, primitive, strength, bound)];
     }
     case "plane":
       return [];
   }
+}
+
+function curved(
+  kind: "sphere" | "mesh",
+  position: Vec3,
+  size: number,
+  radiance: Rgb,
+  primitive: number,
+  strength: number,
+  bound: Emitter["bound"],
+): Weighed {
+  const [edge1, edge2] = [NO_EDGE, NO_EDGE];
+  return { kind, position, size, edge1, edge2, radiance, primitive, strength, front: undefined, bound };
 }
 
 function flat(
@@ -128,7 +133,7 @@ function flat(
   primitive: number,
   bound: Emitter["bound"],
   front?: Vec3,
-): Emitter {
+): Weighed {
   const size = length(cross(edge1, edge2)) * (kind === "quad" ? 1 : 0.5);
   return { kind, position, size, edge1, edge2, radiance, primitive, strength: sum(radiance) * size, front, bound };
 }

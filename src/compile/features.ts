@@ -1,7 +1,7 @@
 import { type ResolvedMaterial, TEXTURE_FIELDS, type TextureField } from "../scene/schema";
 import { type Emitter, isEmissive, type LightKind } from "./emitters";
 import type { Geometry } from "./geometry";
-import type { Primitive, Shape } from "./primitives";
+import { hasArea, type Primitive, type Shape } from "./primitives";
 
 /** Which estimator and sampler to compile; the settings that shape the program. */
 export type ProgramSettings = {
@@ -21,7 +21,7 @@ export function deriveFeatures(
   geometry: Geometry | undefined,
   settings: ProgramSettings,
 ) {
-  const materials = primitives.flatMap(({ material }) => (material === "black" ? [] : [material]));
+  const materials = [...new Set(primitives.map(({ material }) => material))].filter((material) => material !== "black");
   const specular = materials.filter(hasSpecularLobe);
   const rough = specular.filter((material) => alphaOf(material) > 0);
   const hasShape = (kind: Shape["kind"]) => primitives.some(({ shape }) => shape.kind === kind);
@@ -36,7 +36,9 @@ export function deriveFeatures(
   return {
     SPHERES: hasShape("sphere"),
     BOXES: hasShape("box"),
-    TRIANGLES: primitives.some(({ shape }, id) => shape.kind === "triangle" && !geometry?.shapes.has(id)),
+    TRIANGLES: primitives.some(
+      ({ shape }, id) => shape.kind === "triangle" && !geometry?.shapes.has(id) && hasArea(shape.vertices),
+    ),
     // Something is in the tree: triangles of meshes, other triangles, spheres, quads, boxes.
     TREE: geometry !== undefined,
     MESHES: hasShape("mesh"),

@@ -10,7 +10,7 @@ import { type MeshLamp, packLamps } from "./packLamps";
 import { haveSameTexels, packTexels } from "./packTexels";
 import type { Textures } from "./packTextures";
 import { packTree } from "./packTree";
-import { boundsOfShape } from "./treeItems";
+import { boundsOfShape, itemOf } from "./treeItems";
 import { treeShapesOf } from "./treeShapes";
 import { length, subtract } from "./vec3";
 
@@ -86,7 +86,7 @@ export async function prepareGeometry(
   const emits = (object: MeshObject) => scene.materials[object.material]!.emission.some((value) => value > 0);
   const emitting = meshes.flatMap(({ object, id }) => (emits(object) ? [id] : []));
   if (previous && isSame(previous, meshes, treeShapes, origin) && haveSameTexels(previous.textures, scene.textures)) {
-    return String(emitting) === String(previous.emitting) ? previous : withLamps(previous, emitting);
+    return areEqual(emitting, previous.emitting) ? previous : withLamps(previous, emitting);
   }
 
   let triangleCount = 0;
@@ -121,7 +121,8 @@ type Unlit = Omit<Geometry, "emitting" | "lamps" | "data"> & {
 };
 
 function withLamps(geometry: Unlit, emitting: readonly number[]): Geometry {
-  const shining = geometry.parts.filter(({ id }) => emitting.includes(id));
+  const ids = new Set(emitting);
+  const shining = geometry.parts.filter(({ id }) => ids.has(id));
   const { lamps, table } = packLamps(shining, geometry.slotOf);
   return { ...geometry, emitting, lamps, data: { ...geometry.data, shiningTriangles: table } };
 }
@@ -160,18 +161,24 @@ function isSame(
 ): boolean {
   const hasMoved = length(subtract(origin, before)) > 0;
   if (hasMoved || parts.length !== meshes.length) return false;
-  if (JSON.stringify(treeShapes) !== JSON.stringify(shapesBefore)) return false;
+  if (treeShapes.length !== shapesBefore.length) return false;
+  if (!treeShapes.every((shape, i) => isSameItem(shape, shapesBefore[i]!))) return false;
   return parts.every((part, i) => {
     const { object, id } = meshes[i]!;
     return id === part.id && GEOMETRY_FIELDS.every((field) => areEqual(object[field], part.object[field]));
   });
 }
 
+/** Whether two primitives are the same item of a tree. */
+function isSameItem(a: BoundedPrimitive, b: BoundedPrimitive): boolean {
+  if (a.id !== b.id || a.shape.kind !== b.shape.kind) return false;
+  const [item, before] = [itemOf(a.shape), itemOf(b.shape)];
+  return item.w === before.w && item.vectors.every((vector, i) => areEqual(vector, before.vectors[i]!));
+}
+
 const GEOMETRY_FIELDS = ["positions", "indices", "normals", "uvs"] as const;
 
-type TypedArray = Float64Array | Float32Array | Uint32Array;
-
-function areEqual(a: TypedArray | undefined, b: TypedArray | undefined): boolean {
+function areEqual(a: ArrayLike<number> | undefined, b: ArrayLike<number> | undefined): boolean {
   if (a === b) return true;
   if (a === undefined || b === undefined || a.length !== b.length) return false;
   for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;

@@ -2,13 +2,33 @@ import type { Vec3 } from "../scene/schema";
 import { extent } from "./blockers";
 import type { View } from "./clearDepth";
 import type { Shape } from "./primitives";
-import { dot, length, scale, subtract } from "./vec3";
+import { reachAlong } from "./reach";
+import { add, dot, length, scale, subtract } from "./vec3";
 
 /** A rectangle of the image plane: [left, bottom, right, top], each in [-1, 1]. */
 export type Window = readonly [left: number, bottom: number, right: number, top: number];
 
 const NOTHING: Window = [1, 1, -1, -1];
 const EVERYTHING: Window = [-1, -1, 1, 1];
+
+// A window around each of more lamps than these, for every movement of the camera, would take more time than it saves.
+const MOST_LAMPS = 64;
+
+/** Shapes whose window is quick to find: those given or, of many, the box around them. */
+export function lampsOf(shapes: readonly Shape[]): readonly Shape[] {
+  if (shapes.length <= MOST_LAMPS) return shapes;
+  const plane = shapes.find(({ kind }) => kind === "plane");
+  return [plane ?? boxAround(shapes)];
+}
+
+function boxAround(shapes: readonly Shape[]): Shape {
+  const reach = (x: number, y: number, z: number) =>
+    shapes.reduce((most, shape) => Math.max(most, reachAlong(shape, [x, y, z], [0, 0, 0])), Number.NEGATIVE_INFINITY);
+  const lower: Vec3 = [-reach(-1, 0, 0), -reach(0, -1, 0), -reach(0, 0, -1)];
+  const upper: Vec3 = [reach(1, 0, 0), reach(0, 1, 0), reach(0, 0, 1)];
+  const center = scale(add(lower, upper), 0.5);
+  return { kind: "box", center, halfSize: subtract(upper, center), turn: undefined };
+}
 
 /** A part of the image outside of which the camera sees none of the shapes. */
 export function lampWindow(lamps: readonly Shape[], view: View): Window {

@@ -24,6 +24,13 @@ export const LIGHT = defineStruct({
   radiance: "vec3f",
 });
 
+/** A plane or a huge sphere that is not unrolled: `Unbounded` in the generated module; see `emitLoops.ts`. */
+export const UNBOUNDED = defineStruct({
+  point: "vec3f",
+  id: "u32",
+  direction: "vec3f",
+});
+
 /** What a primitive's textures multiply: `Factors` in `wgsl/textures.wgsl`. */
 export const FACTORS = defineStruct({
   baseColor: "vec3f",

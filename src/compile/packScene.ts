@@ -2,60 +2,112 @@ import { dielectricF0 } from "../scene/metals";
 import type { ResolvedMaterial, Rgb } from "../scene/schema";
 import type { StructFields, StructLayout, StructValue } from "./defineStruct";
 import { hasManyLights } from "./emitLights";
+import { unboundedRows } from "./emitLoops";
 import { type Emitter, LIGHT_KINDS } from "./emitters";
 import { alphaOf, hasHugeSpheres, hasRims, hasSpecularLobe } from "./features";
 import type { Geometry } from "./geometry";
-import { FACTORS, LIGHT, MATERIAL, TEXTURE } from "./layouts";
+import { FACTORS, LIGHT, MATERIAL, TEXTURE, UNBOUNDED } from "./layouts";
 import { factorRows, hasTextures, type Textures, textureRows } from "./packTextures";
-import type { Primitive, Shape } from "./primitives";
+import { hasArea, type Primitive, type Shape } from "./primitives";
 import { towardsMiddle } from "./rims";
+import type { Unrolling } from "./unrolling";
 import { add, cross, length, scale, subtract } from "./vec3";
 
 const NO_PRIMITIVE = 0xffffffff;
 const VEC4_BYTES = 16;
 
-/**
- * The bytes of `scene`: environment, materials, shapes, anchors, lights, their bounds, factors, textures, slots, in the order and with the array
- * lengths of the struct that `emitScene` declares. Every member is a multiple of 16 bytes long.
- */
-export function packScene(
+/** What the shader looks up by number, and the environment; see the struct that `emitScene` declares. */
+export type Tables = ReturnType<typeof tablesOf>;
+
+export function tablesOf(
   primitives: readonly Primitive[],
   emitters: readonly Emitter[],
+  unrolling: Unrolling,
   geometry: Geometry | undefined,
   environment: Rgb,
   textures: Textures,
-  slots: readonly number[],
-): ArrayBuffer {
-  const materials = materialRows(primitives, emitters);
-  const shapes = primitives.flatMap(({ shape }) => shapeRow(shape));
-  return concatenate([
-    floats([...environment, 0]),
-    orZeros(rows(MATERIAL, materials), MATERIAL.bytes),
-    orZeros(floats(shapes), VEC4_BYTES),
-    orZeros(floats(anchorRows(primitives).flat()), VEC4_BYTES),
-    orZeros(rows(LIGHT, lightRows(primitives, emitters, geometry)), LIGHT.bytes),
-    floats(hasManyLights(emitters) ? lightBoundRows(primitives, emitters).flat() : []),
-    rows(FACTORS, hasTextures(textures) ? factorRows(primitives, textures) : []),
-    rows(TEXTURE, textureRows(textures)),
-    orZeros(floats(slots), VEC4_BYTES),
-  ]);
+) {
+  const isMany = hasManyLights(emitters);
+  return {
+    environment,
+    materials: materialRows(primitives, emitters),
+    shapes: primitives.map(({ shape }) => shapeRow(shape)),
+    anchors: anchorRows(primitives),
+    lights: lightRows(primitives, emitters, geometry),
+    lightBounds: isMany ? lightBoundRows(primitives, emitters) : [],
+    unbounded: unboundedRows(unrolling, primitives),
+    factors: hasTextures(textures) ? factorRows(primitives, textures) : [],
+    textures: textureRows(textures),
+  };
 }
 
-/** The surfaces of all primitives, by id. */
-export function materialRows(primitives: readonly Primitive[], emitters: readonly Emitter[]) {
-  return primitives.map((primitive, id) => materialRow(primitive, id, emitters));
+/**
+ * The bytes of `scene`, its members one by one, but for the slots, which come last: in the order and with the array lengths of
+ * the struct that `emitScene` declares. Every member is a multiple of 16 bytes long.
+ */
+export function packTables(tables: Tables): ArrayBuffer[] {
+  return [
+    new Float32Array([...tables.environment, 0]).buffer,
+    orZeros(rows(MATERIAL, tables.materials), MATERIAL.bytes),
+    orZeros(vec4s(tables.shapes), VEC4_BYTES),
+    orZeros(vec4s(tables.anchors), VEC4_BYTES),
+    orZeros(rows(LIGHT, tables.lights), LIGHT.bytes),
+    vec4s(tables.lightBounds),
+    rows(UNBOUNDED, tables.unbounded),
+    rows(FACTORS, tables.factors),
+    rows(TEXTURE, tables.textures),
+  ];
 }
 
-function materialRow({ shape, material, emission }: Primitive, id: number, emitters: readonly Emitter[]) {
-  return { ...reflectance(material), emission, lightDensity: lightDensity(shape, id, emitters) };
+/** The bytes of `scene`: those of its tables, then the slots. */
+export function packScene(tables: readonly ArrayBuffer[], slots: readonly number[]): ArrayBuffer {
+  const members = [...tables, orZeros(new Float32Array(slots).buffer, VEC4_BYTES)];
+  const all = new Uint8Array(bytesOf(members));
+  let offset = 0;
+  for (const member of members) {
+    all.set(new Uint8Array(member), offset);
+    offset += member.byteLength;
+  }
+  return all.buffer;
 }
 
-/** See `Material` in `wgsl/surface.wgsl`. */
-function lightDensity(shape: Shape, id: number, emitters: readonly Emitter[]): number {
-  const own = emitters.filter((emitter) => emitter.primitive === id);
-  if (own.length === 0) return 0;
-  const weight = emitters.length > 1 ? own.reduce((sum, { strength }) => sum + strength, 0) : 1;
-  return shape.kind === "sphere" ? weight : weight / own.reduce((sum, { size }) => sum + size, 0);
+/** Of all members together. */
+export function bytesOf(members: readonly ArrayBuffer[]): number {
+  return members.reduce((bytes, member) => bytes + member.byteLength, 0);
+}
+
+/** The surfaces of all primitives, by id. Those of a material that are no lights share a row. */
+function materialRows(primitives: readonly Primitive[], emitters: readonly Emitter[]) {
+  const densities = lightDensities(primitives, emitters);
+  const dark = new Map<Primitive["material"], ReturnType<typeof materialRow>>();
+  return primitives.map((primitive, id) => {
+    const density = densities.get(id);
+    if (density !== undefined) return materialRow(primitive, density);
+    const row = dark.get(primitive.material) ?? materialRow(primitive, 0);
+    dark.set(primitive.material, row);
+    return row;
+  });
+}
+
+function materialRow({ material, emission }: Primitive, lightDensity: number) {
+  return { ...reflectance(material), emission, lightDensity };
+}
+
+/** By primitive that emits; see `Material` in `wgsl/surface.wgsl`. */
+function lightDensities(primitives: readonly Primitive[], emitters: readonly Emitter[]): ReadonlyMap<number, number> {
+  const sums = new Map<number, { weight: number; size: number }>();
+  for (const { primitive, strength, size } of emitters) {
+    if (primitive === undefined) continue;
+    const sum = sums.get(primitive) ?? { weight: 0, size: 0 };
+    sums.set(primitive, { weight: sum.weight + strength, size: sum.size + size });
+  }
+  const isAlone = emitters.length === 1;
+  return new Map(
+    Array.from(sums, ([id, { weight, size }]) => {
+      const share = isAlone ? 1 : weight;
+      return [id, primitives[id]!.shape.kind === "sphere" ? share : share / size];
+    }),
+  );
 }
 
 function reflectance(material: ResolvedMaterial | "black") {
@@ -86,7 +138,7 @@ const BLACK = {
 };
 
 /** Centre and radius of a sphere, unit normal and 0 of a flat shape, -1 last for a box. */
-export function shapeRow(shape: Shape): number[] {
+function shapeRow(shape: Shape): number[] {
   switch (shape.kind) {
     case "sphere":
       return [...shape.center, shape.radius];
@@ -99,7 +151,7 @@ export function shapeRow(shape: Shape): number[] {
 }
 
 /** One per primitive, or none where the shader reads none: see features. */
-export function anchorRows(primitives: readonly Primitive[]): number[][] {
+function anchorRows(primitives: readonly Primitive[]): number[][] {
   const isRead = hasRims(primitives) || hasHugeSpheres(primitives);
   return isRead ? primitives.map(({ shape }) => anchorRow(shape)) : [];
 }
@@ -120,6 +172,7 @@ function anchorRow(shape: Shape): number[] {
       return [...middle, towardsMiddle(middle, toEdge, (sides[0]! + sides[1]!) / 2)];
     }
     case "triangle": {
+      if (!hasArea(shape.vertices)) return [0, 0, 0, 0]; // nobody hits it
       const [a, b, c] = shape.vertices;
       const middle = scale(add(a, add(b, c)), 1 / 3);
       const sides = [subtract(b, a), subtract(c, b), subtract(a, c)];
@@ -136,16 +189,11 @@ function anchorRow(shape: Shape): number[] {
 }
 
 /** The emitters, as the shader's table wants them. */
-export function lightRows(
-  primitives: readonly Primitive[],
-  emitters: readonly Emitter[],
-  geometry: Geometry | undefined,
-) {
-  return emitters.map((emitter) => ({
-    ...emitter,
-    kind: LIGHT_KINDS[emitter.kind],
-    id: emitter.kind === "mesh" ? NO_PRIMITIVE : hitId(emitter.primitive, primitives.length, geometry),
-  }));
+function lightRows(primitives: readonly Primitive[], emitters: readonly Emitter[], geometry: Geometry | undefined) {
+  return emitters.map(({ kind, position, size, edge1, edge2, radiance, primitive }) => {
+    const id = kind === "mesh" ? NO_PRIMITIVE : hitId(primitive, primitives.length, geometry);
+    return { position, size, edge1, edge2, radiance, kind: LIGHT_KINDS[kind], id };
+  });
 }
 
 /** What a ray that hits a primitive names. */
@@ -167,26 +215,27 @@ function lightBoundRows(primitives: readonly Primitive[], emitters: readonly Emi
 }
 
 function rows<F extends StructFields>(layout: StructLayout<F>, values: readonly StructValue<F>[]): ArrayBuffer {
-  const view = new DataView(new ArrayBuffer(layout.bytes * values.length));
-  for (const [i, value] of values.entries()) layout.write(view, i * layout.bytes, value);
-  return view.buffer as ArrayBuffer;
+  const buffer = new ArrayBuffer(layout.bytes * values.length);
+  const [view, bytes] = [new DataView(buffer), new Uint8Array(buffer)];
+  // Many primitives may have one row: copying is ten times quicker than writing.
+  const written = new Map<StructValue<F>, number>();
+  for (const [i, value] of values.entries()) {
+    const [at, from] = [i * layout.bytes, written.get(value)];
+    if (from === undefined) {
+      layout.write(view, at, value);
+      written.set(value, at);
+    } else bytes.copyWithin(at, from, from + layout.bytes);
+  }
+  return buffer;
 }
 
-function floats(numbers: readonly number[]): ArrayBuffer {
-  return new Float32Array(numbers).buffer;
+function vec4s(values: readonly (readonly number[])[]): ArrayBuffer {
+  const floats = new Float32Array(4 * values.length);
+  for (const [i, value] of values.entries()) floats.set(value, 4 * i);
+  return floats.buffer;
 }
 
 /** WGSL has no empty arrays: where there is nothing, one element that is never read. */
 function orZeros(array: ArrayBuffer, elementBytes: number): ArrayBuffer {
   return array.byteLength > 0 ? array : new ArrayBuffer(elementBytes);
-}
-
-function concatenate(parts: readonly ArrayBuffer[]): ArrayBuffer {
-  const all = new Uint8Array(parts.reduce((bytes, part) => bytes + part.byteLength, 0));
-  let offset = 0;
-  for (const part of parts) {
-    all.set(new Uint8Array(part), offset);
-    offset += part.byteLength;
-  }
-  return all.buffer;
 }

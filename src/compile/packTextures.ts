@@ -25,11 +25,11 @@ export function textureRows(textures: Textures): StructValue<typeof TEXTURE.fiel
   });
 }
 
-/** What textures multiply, by primitive. */
+/** What textures multiply, by primitive. Primitives of one material share a row. */
 export function factorRows(primitives: readonly Primitive[], textures: Textures): StructValue<typeof FACTORS.fields>[] {
   const numbers = new Map(Object.keys(textures).map((name, number) => [name, number]));
   const numberOf = (name: string | undefined) => (name === undefined ? NO_TEXTURE : numbers.get(name)!);
-  return primitives.map(({ material }) => {
+  const rowOf = (material: Primitive["material"]) => {
     const { baseColor, metallic, roughness, normalScale, ...names } = material === "black" ? BLACK : material;
     return {
       baseColor,
@@ -41,6 +41,12 @@ export function factorRows(primitives: readonly Primitive[], textures: Textures)
       emissionTexture: numberOf(names.emissionTexture),
       normalTexture: numberOf(names.normalTexture),
     };
+  };
+  const rows = new Map<Primitive["material"], ReturnType<typeof rowOf>>();
+  return primitives.map(({ material }) => {
+    const row = rows.get(material) ?? rowOf(material);
+    rows.set(material, row);
+    return row;
   });
 }
 

@@ -1,9 +1,9 @@
 // Shapes other than meshes as the tree has them.
 
 import type { Vec3 } from "../scene/schema";
-import { extent } from "./blockers";
 import type { BoundedShape } from "./boundedShapes";
 import { halfEdgeDuals } from "./duals";
+import { reachAlong } from "./reach";
 import { dualWithRim, inCommonOrder } from "./rims";
 import { add, length, scale } from "./vec3";
 
@@ -15,23 +15,22 @@ const WIDENING = 2 ** -19;
 
 /** `[minX, minY, minZ, maxX, maxY, maxZ]` around a shape and its rim. */
 export function boundsOfShape(shape: BoundedShape): number[] {
-  // Only of a sphere it matters along which axis points are asked for.
-  const points = (shape.kind === "sphere" ? AXES : AXES.slice(0, 1)).flatMap((axis) => extent(shape, axis));
-  const box = [...points[0]!, ...points[0]!];
-  for (const point of points) {
-    for (let axis = 0; axis < 3; axis++) {
-      box[axis] = Math.min(box[axis]!, point[axis]!);
-      box[3 + axis] = Math.max(box[3 + axis]!, point[axis]!);
-    }
-  }
+  const box: number[] = [];
+  for (const axis of AXES) box.push(-reachAlong(shape, scale(axis, -1), ORIGIN));
+  for (const axis of AXES) box.push(reachAlong(shape, axis, ORIGIN));
   let size = 0;
   for (let axis = 0; axis < 3; axis++) {
     const [least, most] = [box[axis]!, box[3 + axis]!];
     size = Math.max(size, Math.abs(least), Math.abs(most), most - least);
   }
-  return box.map((value, i) => (i < 3 ? value - WIDENING * size : value + WIDENING * size));
+  for (let axis = 0; axis < 3; axis++) {
+    box[axis]! -= WIDENING * size;
+    box[3 + axis]! += WIDENING * size;
+  }
+  return box;
 }
 
+const ORIGIN: Vec3 = [0, 0, 0];
 const AXES: readonly Vec3[] = [
   [1, 0, 0],
   [0, 1, 0],

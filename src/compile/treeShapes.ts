@@ -15,12 +15,13 @@ const MOST_LARGE = MAX_UNROLLED - 4 * FEW;
 
 /** The bounded shapes that are not unrolled: none of up to `MAX_UNROLLED`; of more, all but the large ones and rare kinds. */
 export function treeShapesOf(scene: ResolvedScene, origin: Vec3): BoundedPrimitive[] {
-  const bounded = boundedShapesOf(scene, origin);
+  const bounded = [...boundedShapesOf(scene, origin)];
   if (bounded.length <= MAX_UNROLLED) return [];
   const boxes = bounded.map(({ shape }) => boundsOfShape(shape));
   const least = LARGE_SHARE * halfArea(boxAround(boxes));
-  const largestFirst = boxes.map((box, i) => ({ i, area: halfArea(box) })).sort((a, b) => b.area - a.area);
-  const large = new Set(largestFirst.slice(0, MOST_LARGE).flatMap(({ i, area }) => (area > least ? [i] : [])));
+  const larger = boxes.flatMap((box, i) => (halfArea(box) > least ? [{ i, area: halfArea(box) }] : []));
+  const largestFirst = larger.sort((a, b) => b.area - a.area);
+  const large = new Set(largestFirst.slice(0, MOST_LARGE).map(({ i }) => i));
   const small = bounded.filter((_, i) => !large.has(i));
   const counts = new Map<string, number>();
   for (const { shape } of small) counts.set(shape.kind, (counts.get(shape.kind) ?? 0) + 1);
@@ -30,7 +31,11 @@ export function treeShapesOf(scene: ResolvedScene, origin: Vec3): BoundedPrimiti
 type Box = readonly number[];
 
 function boxAround(boxes: readonly Box[]): Box {
-  return boxes.reduce((a, b) => a.map((value, i) => (i < 3 ? Math.min(value, b[i]!) : Math.max(value, b[i]!))));
+  const around = [...boxes[0]!];
+  for (const box of boxes) {
+    for (let i = 0; i < 6; i++) around[i] = i < 3 ? Math.min(around[i]!, box[i]!) : Math.max(around[i]!, box[i]!);
+  }
+  return around;
 }
 
 function halfArea(box: Box): number {

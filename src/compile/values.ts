@@ -2,6 +2,8 @@ import type { Vec3 } from "../scene/schema";
 
 /** WGSL types that tables are made of. */
 export type RowType = "f32" | "u32" | "vec3u" | "vec3f" | "vec4f";
+/** A row of one: a scalar, or a vector's components. */
+export type Row = number | ArrayLike<number>;
 
 /** How generated code names the numbers of a scene. */
 export interface Values {
@@ -14,16 +16,18 @@ export interface Values {
    *
    * @param uniform - the row in the scene uniform, as a WGSL expression.
    * @param type - of a row.
-   * @param rows - the same values, each by its components.
+   * @param count - of the rows; the text does not grow with it.
+   * @param rowAt - the same values.
    */
-  lookup(uniform: string, type: RowType, rows: readonly (readonly number[])[]): string;
+  lookup(uniform: string, type: RowType, count: number, rowAt: (i: number) => Row): string;
 }
 
 /** Values that live in `scene.slots`, an array of vec4f in the scene uniform: editable without a recompile. */
 export class Slots implements Values {
   readonly #numbers: number[] = [];
-  /** Slots whose w is still free. */
+  /** Slots whose w was free, and how many of them have been filled. */
   readonly #spare: number[] = [];
+  #filled = 0;
 
   vec3(value: Vec3): string {
     const slot = this.#numbers.length / 4;
@@ -33,8 +37,9 @@ export class Slots implements Values {
   }
 
   scalar(value: number): string {
-    const spare = this.#spare.shift();
+    const spare = this.#spare[this.#filled];
     if (spare !== undefined) {
+      this.#filled++;
       this.#numbers[4 * spare + 3] = value;
       return `scene.slots[${spare}].w`;
     }
@@ -53,8 +58,10 @@ export class Slots implements Values {
   }
 }
 
-// Past this many, reading the uniform is quicker.
+// Past this many different rows, reading the uniform is quicker.
 const MAX_SELECTS = 12;
+// Past this many comparisons too; and WGSL's compilers refuse an expression that is 512 operators deep.
+const MAX_COMPARISONS = 48;
 
 /** Values written into the program's text, where its compiler can fold them. Editing one needs another program. */
 export class Literals implements Values {
@@ -66,15 +73,22 @@ export class Literals implements Values {
     return literal(value);
   }
 
-  /** A chain of selects: the commonest row, unless `i` is one of those that have another. */
-  lookup(uniform: string, type: RowType, rows: readonly (readonly number[])[]): string {
+  /** A chain of selects: the commonest row, unless `i` is one of those that have another. Of too many, the uniform's row. */
+  lookup(uniform: string, type: RowType, count: number, rowAt: (i: number) => Row): string {
+    const inUniform = `  return ${uniform};\n`;
     const idsByRow = new Map<string, number[]>();
-    for (const [id, row] of rows.entries()) {
-      const text = constant(type, row);
-      idsByRow.set(text, [...(idsByRow.get(text) ?? []), id]);
+    let before: { readonly row: Row; readonly ids: number[] } | undefined;
+    let commonestCount = 0;
+    for (let id = 0; id < count; id++) {
+      const row = rowAt(id);
+      // Neighbours are often alike, and quicker to compare than to write.
+      const ids = before && areEqual(row, before.row) ? before.ids : idsOf(constant(type, row), idsByRow);
+      before = { row, ids };
+      commonestCount = Math.max(commonestCount, ids.push(id));
+      if (id + 1 - commonestCount > MAX_COMPARISONS) return inUniform;
     }
     const [commonest, ...others] = [...idsByRow].sort(([, a], [, b]) => b.length - a.length);
-    if (!commonest || others.length > MAX_SELECTS) return `  return ${uniform};\n`;
+    if (!commonest || others.length > MAX_SELECTS) return inUniform;
     const steps = others.map(([row, ids]) => {
       const isOneOf = ids.map((id) => `(i == ${id}u)`).join(" | ");
       return `  value = select(value, ${row}, ${isOneOf});\n`;
@@ -83,7 +97,20 @@ export class Literals implements Values {
   }
 }
 
-function constant(type: RowType, components: readonly number[]): string {
+function idsOf(row: string, idsByRow: Map<string, number[]>): number[] {
+  const ids = idsByRow.get(row) ?? [];
+  if (ids.length === 0) idsByRow.set(row, ids);
+  return ids;
+}
+
+function areEqual(a: Row, b: Row): boolean {
+  if (typeof a === "number" || typeof b === "number") return a === b;
+  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
+  return true;
+}
+
+function constant(type: RowType, row: Row): string {
+  const components = typeof row === "number" ? [row] : Array.from(row);
   return `${type}(${components.map(type === "u32" ? String : literal).join(", ")})`;
 }
 

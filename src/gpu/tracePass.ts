@@ -66,6 +66,7 @@ export class TracePass {
   readonly #frame: GPUBuffer;
   readonly #scene: GPUBuffer;
   readonly #bindGroup: GPUBindGroup;
+  #written: ArrayBuffer | undefined;
   readonly #frameBytes = new DataView(new ArrayBuffer(FRAME_STRIDE * MAX_DISPATCHES));
 
   constructor(
@@ -95,8 +96,10 @@ export class TracePass {
     });
   }
 
-  /** Replaces the scene's values by others of the same layout. */
+  /** Replaces the scene's values by others of the same layout. Nothing is sent where they are those that it has. */
   writeScene(scene: ArrayBuffer): void {
+    if (scene === this.#written) return;
+    this.#written = scene;
     this.#device.queue.writeBuffer(this.#scene, 0, scene);
   }
 

@@ -9,9 +9,7 @@ import { createProgram, type Program, programKey } from "./program";
 export type Bakeable = {
   readonly geometry: SceneGeometry | undefined;
   readonly film: Film;
-  /** What the constants come from: while these are the same objects, so are the constants. */
-  readonly sources: readonly object[];
-  /** Compiles it with its values as constants. */
+  /** The scene with its values as constants: the same object while they are the same. */
   readonly bake: () => CompiledScene;
 };
 
@@ -26,7 +24,9 @@ export class Baked {
   readonly #device: GPUDevice;
   #program: Program | undefined;
   #trace: TracePass | undefined;
-  #shown: Bakeable | undefined;
+  /** What the program is of, or will be once it is compiled. */
+  #scene: CompiledScene | undefined;
+  #target: Pick<Bakeable, "geometry" | "film"> | undefined;
   #compiling: Promise<void> | undefined;
   /** Counts the changes that make a compilation under way worthless. */
   #changes = 0;
@@ -60,8 +60,9 @@ export class Baked {
   async #compile(shown: Bakeable, isQuicker: IsQuicker): Promise<void> {
     const changes = this.#changes;
     const isWanted = () => changes === this.#changes;
-    this.#shown = shown;
     const scene = shown.bake();
+    this.#scene = scene;
+    this.#target = shown;
     const program = await createProgram(this.#device, scene);
     if (!isWanted()) return;
     const isWorthIt = await isQuicker(program, scene, isWanted);
@@ -71,18 +72,17 @@ export class Baked {
 
   /** Follows a change: the program stays in use if it fits the scene as it is now. */
   change(shown: Bakeable): void {
-    const before = this.#shown;
-    const isSame = before !== undefined && shown.sources.every((source, i) => source === before.sources[i]);
-    const hasSameTarget = shown.film === before?.film && shown.geometry === before.geometry;
-    if (isSame && hasSameTarget) return;
+    if (!this.#program && !this.#compiling) return;
+    const scene = shown.bake();
+    const hasSameTarget = shown.film === this.#target?.film && shown.geometry === this.#target.geometry;
+    if (scene === this.#scene && hasSameTarget) return;
     this.#changes++;
     if (!this.#program || !this.#trace) return;
-    const compiled = shown.bake();
-    if (programKey(compiled) !== this.#program.key) this.drop();
+    if (programKey(scene) !== this.#program.key) this.drop();
     else if (hasSameTarget) {
-      this.#shown = shown;
-      this.#trace.writeScene(compiled.uniform);
-    } else this.#use(this.#program, compiled, shown);
+      this.#scene = scene;
+      this.#trace.writeScene(scene.uniform);
+    } else this.#use(this.#program, scene, shown);
   }
 
   /** Ends the program's use. */
@@ -91,13 +91,13 @@ export class Baked {
     this.#trace?.dispose();
     this.#trace = undefined;
     this.#program = undefined;
-    this.#shown = undefined;
   }
 
   #use(program: Program, scene: CompiledScene, shown: Bakeable): void {
     this.#trace?.dispose();
     this.#program = program;
-    this.#shown = shown;
+    this.#scene = scene;
+    this.#target = shown;
     this.#trace = new TracePass(this.#device, program.pipelines, scene.uniform, shown.geometry, shown.film);
   }
 }

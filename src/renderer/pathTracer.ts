@@ -488,12 +488,7 @@ export class PathTracer {
   };
 
   get #bakeable(): Bakeable {
-    return {
-      geometry: this.#geometry,
-      film: this.#film,
-      sources: [this.#compiled, this.#camera],
-      bake: () => compileScene(this.#scene, this.#settings, this.#camera, this.#geometry?.source),
-    };
+    return { geometry: this.#geometry, film: this.#film, bake: () => this.#compiled.atRest(this.#camera) };
   }
 
   #createTrace(): TracePass {
@@ -548,7 +543,7 @@ export class PathTracer {
     const paced = [program, geometry, maxBounces, lightSamples, mayGrowLong && compiled];
     if (paced.every((part, i) => part === this.#paced[i])) return;
     this.#paced = paced;
-    this.#meter.pace = new Pace(firstPathsFor(compiled, geometry !== undefined, maxBounces, lightSamples));
+    this.#meter.pace = new Pace(firstPathsFor(compiled, geometry?.source, maxBounces, lightSamples));
   }
 
   /** Samples per pixel that may be taken now. */

@@ -1,4 +1,5 @@
 import type { CompiledScene } from "../compile/compileScene";
+import type { Geometry } from "../compile/geometry";
 
 // Rays that the slowest adapter, a processor of two cores, traces in some 50 ms where a scene is one room of a few shapes.
 const FIRST_RAYS = 150_000;
@@ -15,12 +16,12 @@ const LISTED_PER_RAY = 64;
  */
 export function firstPathsFor(
   { lightCount, shapes }: Pick<CompiledScene, "lightCount" | "shapes">,
-  hasTree: boolean,
+  tree: Pick<Geometry, "shapes"> | undefined,
   maxBounces: number,
   lightSamples: number,
 ): number {
   const rays = (maxBounces + 1) * (lightSamples + 1);
-  const listed = lightCount + (hasTree ? 0 : shapes.length);
-  const cost = 1 + listed / LISTED_PER_RAY + (hasTree ? TREE_COST : 0);
+  const listed = lightCount + shapes.length - (tree?.shapes.size ?? 0);
+  const cost = 1 + listed / LISTED_PER_RAY + (tree ? TREE_COST : 0);
   return Math.max(1, Math.min(MOST_FIRST_PATHS, Math.floor(FIRST_RAYS / (rays * cost))));
 }

@@ -29,14 +29,17 @@ type Ray = { readonly o: Vec3; readonly d: Vec3; readonly wi: Vec3; readonly rea
 const NONE = 0xffffffff;
 const INSIDE = 0x80000000;
 
-// Twenty primitives are unrolled into the program; of sixty, all but the planes and four large ones are in its tree.
+// Twenty primitives are unrolled into the program; of sixty, all but the planes and four large ones are in its tree. Of sixty more
+// planes and twenty huge spheres, most are in a loop.
 const CASES = [
-  ...[1, 2, 3, 4].map((seed) => ({ seed, count: 20, copies: 1 })),
-  ...[5, 6].map((seed) => ({ seed, count: 60, copies: 3 })),
+  ...[1, 2, 3, 4].map((seed) => ({ seed, count: 20, copies: 1, walls: 0 })),
+  ...[5, 6].map((seed) => ({ seed, count: 60, copies: 3, walls: 0 })),
+  { seed: 7, count: 100, copies: 1, walls: 80 },
+  { seed: 8, count: 140, copies: 3, walls: 80 },
 ];
 
-describe.each(CASES)("$count primitives of all kinds and 20,000 rays, seed $seed", ({ seed, copies }) => {
-  const scene = randomScene(seed, copies);
+describe.each(CASES)("$count primitives of all kinds and 20,000 rays, seed $seed", ({ seed, copies, walls }) => {
+  const scene = randomScene(seed, copies, walls);
   const rays = randomRays(seed);
   /** Of each ray, in doubles. */
   const met = rays.map(({ o, d }) => meetings(scene.objects, o, d));
@@ -176,7 +179,7 @@ function randomRays(seed: number): Ray[] {
 }
 
 /** All coordinates are multiples of 1/256, exact in f32, so that shader and oracle mean the same scene. */
-function randomScene(seed: number, copies: number): ResolvedScene {
+function randomScene(seed: number, copies: number, walls: number): ResolvedScene {
   const random = createRandom(seed);
   const at = (): Vec3 => rounded([6 * random() - 3, 6 * random() - 3, 6 * random() - 3]);
   const size = () => Math.round(256 * (0.25 + 1.25 * random())) / 256;
@@ -230,11 +233,19 @@ function randomScene(seed: number, copies: number): ResolvedScene {
       material,
     },
   ];
+  // Around everything, so that no ray starts on one; three planes to each huge sphere.
+  const wall = (_: unknown, i: number): SceneObject => {
+    const normal = rounded(randomDirection(random));
+    const distance = 7 + random();
+    if (i % 4 < 3) return { type: "plane", point: rounded(scale(normal, distance)), normal, material };
+    return { type: "sphere", center: rounded(scale(normal, 1024 + distance)), radius: 1024, material };
+  };
   const objects: SceneObject[] = [
     ...Array.from({ length: copies }, bounded).flat(),
     ...(copies > 1 ? large : []),
     { type: "plane", point: [0, -4.5, 0], normal: [0, 1, 0], material },
     { type: "plane", point: [0, 0, -5], normal: [0.25, -0.125, 1], material },
+    ...Array.from({ length: walls }, wall),
   ];
   const camera = { position: [0, 0, 9], target: [0, 0, 0] } as const;
   return parseScene({ camera, materials: { m: { ior: 1 } }, objects });

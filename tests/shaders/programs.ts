@@ -76,6 +76,41 @@ const TEXTURES = {
   normalTexture: "t",
 } as const;
 
+const many = <T>(count: number, one: (i: number) => T) => Array.from({ length: count }, (_, i) => one(i));
+const NAMES = ["Lambert", "plastic", "rough metal"];
+const ball = (i: number): SceneObject => {
+  return { type: "sphere", center: [i % 64, Math.floor(i / 64), 0], radius: 0.4, material: NAMES[i % 3]! };
+};
+
+/** Scenes of more than is written out in a program. */
+const CROWDS: Readonly<Record<string, { readonly objects: SceneObject[]; readonly lights: Light[] }>> = {
+  "4,096 spheres in three materials": { objects: many(4096, ball), lights: LIGHTS["a point light"]! },
+  "1,100 meshes in two materials": {
+    objects: many(1100, (i) => {
+      return { type: "mesh", positions: [i, 0, 0, i + 1, 0, 0, i, 1, 0], indices: [0, 1, 2], material: NAMES[i % 2]! };
+    }),
+    lights: LIGHTS["a sphere light"]!,
+  },
+  "200 planes": {
+    objects: many(200, (i) => ({ ...PRIMITIVES["a tilted plane"]!, point: [0, -i, 0], material: NAMES[i % 3]! })),
+    lights: LIGHTS["lights of both kinds"]!,
+  },
+  "50 planes, 30 huge spheres that shine and 100 lights": {
+    objects: [
+      ...many(50, (i) => ({ ...PRIMITIVES["a level plane"]!, point: [0, -i, 0] }) as SceneObject),
+      ...many(30, (i): SceneObject => {
+        return { type: "sphere", center: [0, -1e5 - i, 0], radius: 1e5, material: "glowing Lambert" };
+      }),
+      ...many(50, ball),
+    ],
+    lights: many(100, (i) => ({ type: "sphere", position: [i, 9, 0], radius: 0.1, power: [1, 1, 1] })),
+  },
+  "100 triangles without area": {
+    objects: many(100, () => PRIMITIVES["a triangle without area"]!),
+    lights: LIGHTS["a point light"]!,
+  },
+};
+
 /** Compiles what an estimator makes of scenes of every kind: a file of tests for each, so that they run side by side. */
 export function describePrograms(settings: ProgramSettings): void {
   afterAll(() => releaseTint());
@@ -118,6 +153,11 @@ export function describePrograms(settings: ProgramSettings): void {
     const names = Object.keys(MATERIALS);
     const objects = Object.values(PRIMITIVES).flatMap((object) => names.map((material) => ({ ...object, material })));
     await expectGood(sceneOf(objects, MATERIALS, LIGHTS["lights of both kinds"]!, [1, 1, 1]), settings);
+  });
+
+  test.each(Object.keys(CROWDS))("%s compile without a warning", async (name) => {
+    const { objects, lights } = CROWDS[name]!;
+    await expectGood(sceneOf(objects, { m: {}, ...MATERIALS }, lights, [1, 1, 1]), settings);
   });
 
   test.each(Object.keys(MATERIALS))("two materials, one of them %s, compile without a warning", async (first) => {

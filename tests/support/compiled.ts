@@ -1,5 +1,5 @@
 import { type CompiledScene, compileScene } from "../../src/compile/compileScene";
-import { LIGHT, MATERIAL } from "../../src/compile/layouts";
+import { LIGHT, MATERIAL, UNBOUNDED } from "../../src/compile/layouts";
 import { linkProgram } from "../../src/compile/linkProgram";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Light, Material, Scene, SceneObject } from "../../src/scene/schema";
@@ -33,7 +33,7 @@ export async function wgslOf(scene: Scene, settings: Parameters<typeof compile>[
 /** The uniform `scene`, taken apart by the struct that the generated module declares. */
 export function unpack({ sceneModule, uniform }: CompiledScene) {
   const view = new DataView(uniform);
-  const count = (field: string) => Number(new RegExp(`${field}: array<\\w+, (\\d+)>`).exec(sceneModule)![1]);
+  const count = (field: string) => Number(new RegExp(`${field}: array<\\w+, (\\d+)>`).exec(sceneModule)?.[1] ?? 0);
   let offset = 0;
   const take = (bytes: number) => {
     offset += bytes;
@@ -41,7 +41,7 @@ export function unpack({ sceneModule, uniform }: CompiledScene) {
   };
   const vec4 = () => Array.from({ length: 4 }, () => view.getFloat32(take(4), true));
   const list = <T>(field: string, read: () => T) => Array.from({ length: count(field) }, read);
-  const struct = (layout: typeof MATERIAL | typeof LIGHT) => () =>
+  const struct = (layout: typeof MATERIAL | typeof LIGHT | typeof UNBOUNDED) => () =>
     readStruct(view, take(layout.bytes), Object.entries(layout.fields));
 
   const environment = vec4();
@@ -49,6 +49,8 @@ export function unpack({ sceneModule, uniform }: CompiledScene) {
   const shapes = list("shapes", vec4);
   const anchors = list("anchors", vec4);
   const lights = list("lights", struct(LIGHT));
+  const planes = list("planes", struct(UNBOUNDED));
+  const hugeSpheres = list("hugeSpheres", struct(UNBOUNDED));
   const slots = list("slots", vec4);
-  return { environment, materials, shapes, anchors, lights, slots, bytes: offset };
+  return { environment, materials, shapes, anchors, lights, planes, hugeSpheres, slots, bytes: offset };
 }

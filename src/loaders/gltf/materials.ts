@@ -28,6 +28,8 @@ export class Materials {
   readonly #warnings: Warnings;
   readonly #made: Record<string, Material> = Object.create(null);
   readonly #chosen = new Map<string, ChosenMaterial>();
+  /** The next number to try behind a name that is taken. Every number is tried once, whatever the names. */
+  readonly #nextNumber = new Map<string, number>();
 
   constructor(json: GltfJson, textures: Textures, warnings: Warnings) {
     this.#json = json;
@@ -85,11 +87,19 @@ export class Materials {
     const known = this.#chosen.get(key);
     if (known !== undefined) return known;
     const wanted = material.name || (index === undefined ? "default" : `material ${index}`);
-    const name = freeName(wanted, this.#made, this.#chosen.size);
+    const name = this.#freeName(wanted);
     this.#made[name] = { ...this.#factors(material, place), ...textures };
     const chosen = { name, ...(coordinates !== undefined && { coordinates }) };
     this.#chosen.set(key, chosen);
     return chosen;
+  }
+
+  #freeName(wanted: string): string {
+    let name = wanted;
+    let number = this.#nextNumber.get(wanted) ?? 2;
+    while (name in this.#made) name = `${wanted} ${number++}`;
+    this.#nextNumber.set(wanted, number);
+    return name;
   }
 
   #factors(material: GltfMaterial, place: string): Material {
@@ -147,11 +157,4 @@ function toFraction(value: number): number {
 /** `materials[3] "Glass"`. */
 export function placeOf(list: string, index: number, name: string | undefined): string {
   return `${list}[${index}]${name ? ` ${show(name)}` : ""}`;
-}
-
-/** The count is where to look first, so that a thousand materials of one name take a thousand looks. */
-function freeName(wanted: string, taken: Readonly<Record<string, unknown>>, takenCount: number): string {
-  let name = wanted;
-  for (let i = takenCount + 1; name in taken; i++) name = `${wanted} ${i}`;
-  return name;
 }

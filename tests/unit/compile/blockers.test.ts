@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { canBlock } from "../../../src/compile/blockers";
+import { Blockers } from "../../../src/compile/blockers";
 import { emittersOf } from "../../../src/compile/emitters";
 import { primitivesOf } from "../../../src/compile/primitives";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
@@ -22,7 +22,8 @@ function blockersOf(objects: readonly SceneObject[], lights: readonly Light[], c
 function blockersIn(scene: ReturnType<typeof parseScene>, camera: Vec3): number[] {
   const primitives = primitivesOf(scene, [0, 0, 0]);
   const emitters = emittersOf(scene, primitives, [0, 0, 0]);
-  return [...primitives.keys()].filter((id) => canBlock(id, primitives, emitters, camera));
+  const blockers = new Blockers(primitives, emitters);
+  return [...primitives.keys()].filter((id) => blockers.canBlock(id, camera));
 }
 
 describe("a quad or triangle", () => {

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { View } from "../../../src/compile/clearDepth";
-import { lampWindow, shareOf, type Window } from "../../../src/compile/lampWindow";
+import { lampsOf, lampWindow, shareOf, type Window } from "../../../src/compile/lampWindow";
 import type { Shape } from "../../../src/compile/primitives";
 import { add, cross, dot, normalize, scale, subtract } from "../../../src/compile/vec3";
 import type { Vec3 } from "../../../src/scene/schema";
@@ -93,4 +93,19 @@ test("what is behind the camera or beside the image has no window, a plane the w
   expect(shareOf(lampWindow([ball([30, 0, 0])], FRONT))).toBe(0);
   expect(shareOf(lampWindow([], FRONT))).toBe(0);
   expect(shareOf(lampWindow([{ kind: "plane", point: [0, 0, 0], normal: [0, 1, 0], axis: "Y" }], FRONT))).toBe(1);
+});
+
+test("of many lamps the box around them is looked at, whose window holds each one's", () => {
+  const many = Array.from({ length: 1000 }, (): Shape => ({ kind: "sphere", center: triple(2), radius: 0.1 }));
+  const [box, ...others] = lampsOf(many);
+  expect([box?.kind, others]).toEqual(["box", []]);
+  const [left, bottom, right, top] = lampWindow(lampsOf(many), FRONT);
+  const exact = lampWindow(many, FRONT);
+  expect(exact.map((edge, i) => (i < 2 ? edge >= [left, bottom][i]! : edge <= [right, top][i - 2]!))).not.toContain(
+    false,
+  );
+  expect(shareOf([left, bottom, right, top])).toBeLessThan(2 * shareOf(exact));
+  const plane: Shape = { kind: "plane", point: [0, 0, 0], normal: [0, 1, 0], axis: "Y" };
+  expect(lampsOf([...many, plane])).toEqual([plane]);
+  expect(lampsOf(many.slice(0, 10))).toEqual(many.slice(0, 10));
 });

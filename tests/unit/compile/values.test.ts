@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { Literals, Slots } from "../../../src/compile/values";
+import { Literals, type Row, type RowType, Slots } from "../../../src/compile/values";
 
 test("a scalar fills the fourth component of a vector's slot", () => {
   const slots = new Slots();
@@ -40,6 +40,8 @@ test("every name reads back its own value, whatever the order", () => {
 
 describe("literals", () => {
   const literals = new Literals();
+  const lookup = (type: RowType, rows: readonly Row[]) =>
+    literals.lookup("scene.x[i]", type, rows.length, (i) => rows[i]!);
 
   test("are the nearest f32, always with a point or an exponent", () => {
     expect(literals.scalar(0.1)).toBe("0.10000000149011612");
@@ -49,18 +51,31 @@ describe("literals", () => {
   });
 
   test("a table is a chain of selects that starts from the commonest row", () => {
-    expect(literals.lookup("scene.x[i]", "f32", [[1], [2], [2], [3], [1], [2]])).toBe(
+    expect(lookup("f32", [[1], [2], [2], [3], [1], [2]])).toBe(
       "  var value = f32(2.0);\n" +
         "  value = select(value, f32(1.0), (i == 0u) | (i == 4u));\n" +
         "  value = select(value, f32(3.0), (i == 3u));\n" +
         "  return value;\n",
     );
-    expect(literals.lookup("scene.x[i]", "u32", [[4294967295]])).toContain("u32(4294967295)");
+    expect(lookup("u32", [[4294967295]])).toContain("u32(4294967295)");
   });
 
   test("a table of many different rows, or of none, stays in the uniform", () => {
     const rows = Array.from({ length: 40 }, (_, i) => [i]);
-    expect(literals.lookup("scene.x[i]", "f32", rows)).toBe("  return scene.x[i];\n");
-    expect(literals.lookup("scene.x[i]", "f32", [])).toBe("  return scene.x[i];\n");
+    expect(lookup("f32", rows)).toBe("  return scene.x[i];\n");
+    expect(lookup("f32", [])).toBe("  return scene.x[i];\n");
+  });
+
+  test("so does one in which too many are unlike the commonest, whatever the order", () => {
+    const alternating = (count: number) => Array.from({ length: count }, (_, i) => [i % 2]);
+    expect(lookup("f32", alternating(96))).toContain("select");
+    expect(lookup("f32", alternating(98))).toBe("  return scene.x[i];\n");
+    const few = [...Array.from({ length: 5000 }, () => [7]), [1], [2], [1]];
+    expect(lookup("f32", few)).toBe(
+      "  var value = f32(7.0);\n" +
+        "  value = select(value, f32(1.0), (i == 5000u) | (i == 5002u));\n" +
+        "  value = select(value, f32(2.0), (i == 5001u));\n" +
+        "  return value;\n",
+    );
   });
 });

@@ -2,8 +2,13 @@ import { encode } from "fast-png";
 import { describe, expect, test } from "vitest";
 import { decodeImage } from "../../../src/cli/decodeImage";
 import { loadGltf } from "../../../src/loaders/gltf";
+import { Materials } from "../../../src/loaders/gltf/materials";
+import type { GltfJson } from "../../../src/loaders/gltf/schema";
+import { Textures } from "../../../src/loaders/gltf/textures";
+import { Warnings } from "../../../src/loaders/warnings";
 import { parseScene } from "../../../src/scene/parseScene";
 import { meshesOf, type Packer, roundedNumbers, type TriangleJson, triangleFile } from "../../support/gltf";
+import { growthOf, LINEAR } from "../../support/growth";
 
 const load = async (change: (json: TriangleJson, packer: Packer) => void) => {
   const { scene, warnings } = await loadGltf(triangleFile(change), { decodeImage });
@@ -68,6 +73,28 @@ describe("factors", () => {
     const metallic = meshesOf(scene).map(({ material }) => materials[material]!.metallic);
     expect(metallic).toEqual(names.map((_, i) => i / 10));
     expect(Reflect.has({}, "metallic")).toBe(false);
+  });
+
+  test("a material whose name is taken gets a number, the first that is free", async () => {
+    const { scene } = await load((json) => {
+      json.materials = ["glass", "glass", "glass 3", "glass"].map((name) => ({ name }));
+      const { attributes } = json.meshes[0].primitives[0];
+      json.meshes[0].primitives = json.materials.map((_: unknown, material: number) => ({ attributes, material }));
+    });
+    expect(meshesOf(scene).map(({ material }) => material)).toEqual(["glass", "glass 2", "glass 3", "glass 4"]);
+  });
+
+  test("thirty thousand names that are taken, numbers and all, take no minutes", async () => {
+    // The first half takes the numbers that the second half would look at first.
+    const choose = (count: number) => {
+      const named = (name: string) => ({ name }) as GltfJson["materials"][number];
+      const materials = Array.from({ length: count }, (_, i) => named(i < count / 2 ? `m ${i + 2 + count / 2}` : "m"));
+      const json = { materials } as GltfJson;
+      const chosen = new Materials(json, new Textures(json), new Warnings());
+      for (let i = 0; i < count; i++) chosen.choose(i, new Map());
+      expect(Object.keys(chosen.all)).toHaveLength(count);
+    };
+    expect(await growthOf(choose, 2000)).toBeLessThan(LINEAR);
   });
 });
 
