@@ -5,6 +5,7 @@
 import * as v from "valibot";
 import { byType, dictionary, list, strictObject, triple } from "./containers";
 import { oneOf, show, suggest } from "./describe";
+import { checkNames } from "./names";
 import {
   bytes,
   coordinates,
@@ -104,15 +105,6 @@ export const MaterialSchema = strictObject(
     }
   },
 );
-
-/** The fields of a material that name a texture. */
-export const TEXTURE_FIELDS = [
-  "baseColorTexture",
-  "metallicRoughnessTexture",
-  "emissionTexture",
-  "normalTexture",
-] as const;
-export type TextureField = (typeof TEXTURE_FIELDS)[number];
 
 /** The name of one of the scene's materials. */
 const materialName = v.string((issue) => `expected the name of a material, got ${show(issue.input)}`);
@@ -272,27 +264,32 @@ export const EnvironmentSchema = strictObject({
 
 /** A scene. Right-handed, Y up, metres; colours are linear Rec. 709; angles are in degrees. */
 export const SceneSchema = v.pipe(
-  strictObject({
-    /** For editors that check JSON while it is written; has no meaning here. */
-    $schema: v.optional(v.string((issue) => `expected the address of a JSON schema, got ${show(issue.input)}`)),
-    camera: CameraSchema,
-    /** Surfaces by name; the objects refer to them. */
-    materials: v.optional(dictionary(MaterialSchema), {}),
-    /** Pictures by name; the materials refer to them. */
-    textures: v.optional(dictionary(TextureSchema), {}),
-    /** Everything that has a surface. */
-    objects: list(ObjectSchema),
-    /** Lamps; surfaces whose material has an `emission` shine too. */
-    lights: v.optional(list(LightSchema), []),
-    environment: v.optional(EnvironmentSchema, {}),
-    /** How often a path may scatter between camera and light: 0 shows emitters only, 1 is direct light. */
-    maxBounces: v.optional(
-      numberThat(`an integer from 0 to ${MAX_BOUNCES}`, { min: 0, max: MAX_BOUNCES, isInteger: true }),
-      8,
-    ),
-  }),
+  strictObject(
+    {
+      /** For editors that check JSON while it is written; has no meaning here. */
+      $schema: v.optional(v.string((issue) => `expected the address of a JSON schema, got ${show(issue.input)}`)),
+      camera: CameraSchema,
+      /** Surfaces by name; the objects refer to them. */
+      materials: v.optional(dictionary(MaterialSchema), {}),
+      /** Pictures by name; the materials refer to them. */
+      textures: v.optional(dictionary(TextureSchema), {}),
+      /** Everything that has a surface. */
+      objects: list(ObjectSchema),
+      /** Lamps; surfaces whose material has an `emission` shine too. */
+      lights: v.optional(list(LightSchema), []),
+      environment: v.optional(EnvironmentSchema, {}),
+      /** How often a path may scatter between camera and light: 0 shows emitters only, 1 is direct light. */
+      maxBounces: v.optional(
+        numberThat(`an integer from 0 to ${MAX_BOUNCES}`, { min: 0, max: MAX_BOUNCES, isInteger: true }),
+        8,
+      ),
+    },
+    checkNames,
+  ),
   v.transform(({ $schema, ...scene }) => scene),
 );
+
+export { TEXTURE_FIELDS, type TextureField } from "./names";
 
 /** What users write: everything that has a default is optional. */
 export type Scene = v.InferInput<typeof SceneSchema>;
