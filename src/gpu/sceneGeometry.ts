@@ -1,17 +1,21 @@
 import type { Geometry } from "../compile/geometry";
 import { UnsupportedError } from "../errors";
+import { nextTask } from "../nextTask";
 import { BufferUsage, TextureUsage } from "./flags";
 import { GEOMETRY_BINDINGS, type GeometryPart } from "./geometryLayout";
 
 /** A scene's geometry on the GPU. */
 export class SceneGeometry {
   readonly source: Geometry;
-  readonly #resources: ReadonlyMap<number, GPUBuffer | GPUTexture>;
+  readonly #resources: Map<number, GPUBuffer | GPUTexture>;
+  #filling: Promise<void> | undefined;
+  #isDisposed = false;
 
   /** @throws {UnsupportedError} if the device has no room for so much in one piece. */
   constructor(device: GPUDevice, geometry: Geometry) {
     this.source = geometry;
-    const data = Object.entries(geometry.data) as [GeometryPart, ArrayBuffer | undefined][];
+    const { texels, ...arrays } = geometry.data;
+    const data = Object.entries(arrays) as [Exclude<GeometryPart, "texels">, ArrayBuffer | undefined][];
     this.#resources = new Map(
       data.flatMap(([part, bytes]) => {
         const { binding, row } = GEOMETRY_BINDINGS[part];
@@ -19,6 +23,34 @@ export class SceneGeometry {
         return [[binding, row ? createTexels(device, part, bytes, row) : createBuffer(device, part, bytes)]];
       }),
     );
+    if (texels !== undefined)
+      this.#resources.set(GEOMETRY_BINDINGS.texels.binding, this.#createPictures(device, texels));
+  }
+
+  /** Pending while pictures are copied, a slice in each task; what is rendered before that lacks them. */
+  get filling(): Promise<void> | undefined {
+    return this.#filling;
+  }
+
+  #createPictures(device: GPUDevice, pictures: readonly Uint8Array[]): GPUBuffer {
+    const size = pictures.reduce((sum, { length }) => sum + length, 0);
+    checkSize("texels", size, device.limits.maxStorageBufferBindingSize);
+    const usage = BufferUsage.STORAGE | BufferUsage.COPY_DST;
+    const buffer = device.createBuffer({ label: "texels", size, usage });
+    const slices = slicesOf(pictures);
+    const write = ({ from, start, length, to }: Slice) => device.queue.writeBuffer(buffer, to, from, start, length);
+    if (size <= SLICE_BYTES) for (const slice of slices) write(slice);
+    else {
+      this.#filling = (async () => {
+        for (const slice of slices) {
+          await nextTask();
+          if (this.#isDisposed) return;
+          write(slice);
+        }
+        this.#filling = undefined;
+      })();
+    }
+    return buffer;
   }
 
   /** The entries of a bind group that a layout asks for. */
@@ -30,7 +62,25 @@ export class SceneGeometry {
   }
 
   dispose(): void {
+    this.#isDisposed = true;
     for (const resource of this.#resources.values()) resource.destroy();
+  }
+}
+
+/** Copied in one task: 4 MiB take a few milliseconds. */
+const SLICE_BYTES = 2 ** 22;
+
+/** So many bytes of a picture, from its byte `start`, and where they go. */
+type Slice = { readonly from: Uint8Array; readonly start: number; readonly length: number; readonly to: number };
+
+function* slicesOf(pictures: readonly Uint8Array[]): Generator<Slice> {
+  let to = 0;
+  for (const from of pictures) {
+    for (let start = 0; start < from.length; start += SLICE_BYTES) {
+      const length = Math.min(SLICE_BYTES, from.length - start);
+      yield { from, start, length, to };
+      to += length;
+    }
   }
 }
 
