@@ -32,6 +32,7 @@ export async function decodeInPage(bytes: Uint8Array, mimeType: string): Promise
 
 async function readTexels(bitmap: ImageBitmap): Promise<Uint8Array> {
   const { width, height } = bitmap;
+  await nextTask(); // the browser has used its time for handing over the bitmap
   const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
   if (gl === null) throw new RtViewerError("WebGL, which reads pictures, is not available");
   try {
