@@ -41,16 +41,19 @@ export class SceneGeometry {
     const write = ({ from, start, length, to }: Slice) => device.queue.writeBuffer(buffer, to, from, start, length);
     if (size <= SLICE_BYTES) for (const slice of slices) write(slice);
     else {
-      this.#filling = (async () => {
-        for (const slice of slices) {
-          await nextTask();
-          if (this.#isDisposed) return;
-          write(slice);
-        }
+      this.#filling = this.#writeInTasks(slices, write).finally(() => {
         this.#filling = undefined;
-      })();
+      });
     }
     return buffer;
+  }
+
+  async #writeInTasks(slices: Iterable<Slice>, write: (slice: Slice) => void): Promise<void> {
+    for (const slice of slices) {
+      await nextTask();
+      if (this.#isDisposed) return;
+      write(slice);
+    }
   }
 
   /** The entries of a bind group that a layout asks for. */

@@ -121,7 +121,10 @@ export const TextureSchema = strictObject(
   {
     width: textureSize,
     height: textureSize,
-    /** Red, green, blue and alpha, from 0 to 255, of each texel; rows from the top. Alpha has no meaning yet. */
+    /**
+     * Red, green, blue and alpha, from 0 to 255, of each texel; rows from the top. Alpha has no meaning yet. A `Uint8Array` that a
+     * loader made, or that comes from a scene that was parsed, is not copied: another picture has to be another array.
+     */
     texels: bytes,
     /** What is left and right of it: texture coordinates outside of 0…1 … */
     wrapU: choice(WRAPS, "repeat"),

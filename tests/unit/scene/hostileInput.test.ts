@@ -86,6 +86,16 @@ describe("input that is not plain data", () => {
     );
   });
 
+  test("a getter that calls itself for ever is an issue", () => {
+    const input = {
+      objects: [],
+      get camera(): unknown {
+        return this.camera;
+      },
+    };
+    expect(issuesOf(input)).toHaveLength(1);
+  });
+
   test("a revoked proxy is an issue", () => {
     const { proxy, revoke } = Proxy.revocable({}, {});
     revoke();
