@@ -11,17 +11,39 @@ export type SceneIssue = {
   readonly message: string;
 };
 
-/** The scene breaks the format. Holds every issue; the message lists them, one per line. */
+/** Issues that a `SceneError` holds. Nobody reads more lines; a million are one mistake, made a million times. */
+export const MAX_ISSUES = 100;
+
+/** The scene breaks the format. The message lists the issues, one per line, and counts those that are left out. */
 export class SceneError extends RtViewerError {
   override readonly name = "SceneError";
-  /** In the order of the scene's fields; never empty. */
+  /** The first 100, in the order of the scene's fields; never empty. */
   readonly issues: readonly SceneIssue[];
+  /** How many there are, those that `issues` leaves out included. */
+  readonly issueCount: number;
 
-  constructor(issues: readonly SceneIssue[], options?: ErrorOptions) {
-    const heading = `The scene has ${issues.length} ${issues.length === 1 ? "error" : "errors"}:`;
-    super([heading, ...issues.map(({ path, message }) => `${path || "scene"}: ${message}`)].join("\n"), options);
-    this.issues = issues;
+  /** @param options.issueCount - default: as many as are given. */
+  constructor(
+    issues: readonly SceneIssue[],
+    { issueCount = issues.length, ...options }: ErrorOptions & { readonly issueCount?: number } = {},
+  ) {
+    const held = issues.slice(0, MAX_ISSUES);
+    const heading = `The scene has ${inDigits(issueCount)} ${issueCount === 1 ? "error" : "errors"}:`;
+    super([heading, ...describeIssues(held, issueCount)].join("\n"), options);
+    this.issues = held;
+    this.issueCount = issueCount;
   }
+}
+
+/** A line for each issue, and one for those that are left out, if any. */
+export function describeIssues(issues: readonly SceneIssue[], issueCount: number): string[] {
+  const lines = issues.map(({ path, message }) => `${path || "scene"}: ${message}`);
+  return issueCount > issues.length ? [...lines, `… and ${inDigits(issueCount - issues.length)} more`] : lines;
+}
+
+/** `98,765`. */
+export function inDigits(count: number): string {
+  return count.toLocaleString("en");
 }
 
 /** There is no WebGPU or no adapter, the device is lost, or a shader does not compile. The original error is the `cause`. */

@@ -1,22 +1,29 @@
 import { convertIndexedToRgb, decode as decodePng } from "fast-png";
 import { decode as decodeJpeg } from "jpeg-js";
 import { RtViewerError } from "../errors";
+import { MAX_TEXELS } from "../loaders/limits";
 import type { DecodedImage } from "../loaders/loadedScene";
+import { checkPng } from "./checkPng";
 
 const MAX_JPEG_MEGABYTES = 2048;
+const MAX_JPEG_MEGAPIXELS = MAX_TEXELS / 1e6;
 
 /**
  * Decodes PNG and JPEG in Node, as `DecodeImage` has it.
  *
- * @throws anything, if the picture is damaged or of another kind.
+ * @throws anything, if the picture is damaged, of another kind, or has more than 67 million texels, before memory is taken.
  */
 export async function decodeImage(bytes: Uint8Array, mimeType: string): Promise<DecodedImage> {
   if (mimeType === "image/jpeg") {
-    const { width, height, data } = decodeJpeg(bytes, { useTArray: true, maxMemoryUsageInMB: MAX_JPEG_MEGABYTES });
+    const { width, height, data } = decodeJpeg(bytes, {
+      useTArray: true,
+      maxMemoryUsageInMB: MAX_JPEG_MEGABYTES,
+      maxResolutionInMP: MAX_JPEG_MEGAPIXELS,
+    });
     return { width, height, texels: data };
   }
   if (mimeType !== "image/png") throw new RtViewerError(`${mimeType} can be decoded in a browser only`);
-  const png = decodePng(bytes);
+  const png = decodePng(checkPng(bytes));
   const { width, height, depth, palette } = png;
   if (palette !== undefined) return { width, height, texels: spread(convertIndexedToRgb(png), palette[0]!.length, 0) };
   if (depth < 8) throw new RtViewerError(`a PNG of ${depth} bits per value can be decoded in a browser only`);

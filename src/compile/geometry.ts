@@ -7,7 +7,7 @@ import type { ResolvedObject, ResolvedScene, Vec3 } from "../scene/schema";
 import type { BoundedPrimitive } from "./boundedShapes";
 import { packItems } from "./packItems";
 import { type MeshLamp, packLamps } from "./packLamps";
-import { haveSameTexels, packTexels } from "./packTexels";
+import { haveSameTexels, texelParts } from "./packTexels";
 import type { Textures } from "./packTextures";
 import { packTree } from "./packTree";
 import { boundsOfShape, itemOf } from "./treeItems";
@@ -43,7 +43,8 @@ export type GeometryData = {
   readonly shiningTriangles: ArrayBuffer | undefined;
   /** Undefined where no material has textures. */
   readonly uvs: ArrayBuffer | undefined;
-  readonly texels: ArrayBuffer | undefined;
+  /** One after the other. */
+  readonly texels: readonly Uint8Array[] | undefined;
 };
 
 export type Geometry = {
@@ -106,7 +107,7 @@ export async function prepareGeometry(
   for (let slot = 0; slot < bvh.order.length; slot++) slotOf[bvh.order[slot]!] = slot;
   const shapes = new Map(treeShapes.map(({ id }, i) => [id, slotOf[triangleCount + i]!]));
   const { textures } = scene;
-  const texels = packTexels(textures);
+  const texels = texelParts(textures);
   const data = { nodes: packTree(bvh), ...packItems(parts, treeShapes, slotOf, texels !== undefined), texels };
   const { depth } = bvh;
   return withLamps({ origin, parts, treeShapes, shapes, textures, slotOf, depth, data }, emitting);

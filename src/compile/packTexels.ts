@@ -1,17 +1,10 @@
 import type { ResolvedTexture } from "../scene/schema";
 import type { Textures } from "./packTextures";
 
-/** All texels one after the other; undefined if there are none. */
-export function packTexels(textures: Textures): ArrayBuffer | undefined {
-  const all = Object.values(textures);
-  if (all.length === 0) return undefined;
-  const bytes = new Uint8Array(all.reduce((sum, { texels }) => sum + texels.length, 0));
-  let at = 0;
-  for (const { texels } of all) {
-    bytes.set(texels, at);
-    at += texels.length;
-  }
-  return bytes.buffer;
+/** The texels of all pictures, as they are; undefined if there are none. One after the other they are what the shader reads. */
+export function texelParts(textures: Textures): readonly Uint8Array[] | undefined {
+  const parts = Object.values(textures).map(({ texels }) => texels);
+  return parts.length === 0 ? undefined : parts;
 }
 
 /** Whether two dictionaries hold the same pictures. */
@@ -22,9 +15,16 @@ export function haveSameTexels(a: Textures, b: Textures): boolean {
   );
 }
 
-function isSamePicture(a: ResolvedTexture, b: ResolvedTexture): boolean {
-  return (
-    a.texels === b.texels ||
-    (a.texels.length === b.texels.length && a.texels.every((value, i) => value === b.texels[i]))
-  );
+function isSamePicture({ texels: a }: ResolvedTexture, { texels: b }: ResolvedTexture): boolean {
+  if (a === b) return true;
+  if (a.length !== b.length) return false;
+  const [words, others] = [wordsOf(a), wordsOf(b)];
+  for (let i = 0; i < words.length; i++) if (words[i] !== others[i]) return false;
+  return true;
+}
+
+/** Texels as numbers, four bytes each: a picture can be a quarter of a gigabyte. */
+function wordsOf(texels: Uint8Array): Uint32Array {
+  const { buffer, byteOffset, length } = texels.byteOffset % 4 === 0 ? texels : texels.slice();
+  return new Uint32Array(buffer, byteOffset, length / 4);
 }

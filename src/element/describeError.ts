@@ -1,4 +1,7 @@
-import { SceneError, type SceneIssue, UnsupportedError, WebGpuError } from "../errors";
+import { describeIssues, inDigits, SceneError, UnsupportedError, WebGpuError } from "../errors";
+
+/** Issues that are listed in place of a picture, which has the room of about as many lines. The error holds more. */
+const MAX_LISTED_ISSUES = 20;
 
 /** What the element says in place of a picture: plain text, to be set as `textContent`. */
 export type ErrorText = {
@@ -11,7 +14,7 @@ export type ErrorText = {
 
 /** Puts an error into words for the reader of the page. */
 export function describeError(error: Error): ErrorText {
-  if (error instanceof SceneError) return describeIssues(error.issues);
+  if (error instanceof SceneError) return describeSceneError(error);
   if (error instanceof UnsupportedError) return { title: "This scene cannot be shown yet", lines: [error.message] };
   if (isOutOfMemory(error)) {
     return {
@@ -39,10 +42,10 @@ function isLoss({ cause }: Error): boolean {
   return "GPUDeviceLostInfo" in globalThis && cause instanceof GPUDeviceLostInfo;
 }
 
-function describeIssues(issues: readonly SceneIssue[]): ErrorText {
+function describeSceneError({ issues, issueCount }: SceneError): ErrorText {
   return {
-    title: issues.length === 1 ? "The scene has a mistake" : `The scene has ${issues.length} mistakes`,
-    lines: issues.map(({ path, message }) => `${path || "scene"}: ${message}`),
+    title: issueCount === 1 ? "The scene has a mistake" : `The scene has ${inDigits(issueCount)} mistakes`,
+    lines: describeIssues(issues.slice(0, MAX_LISTED_ISSUES), issueCount),
     isCode: true,
   };
 }

@@ -26,7 +26,7 @@ export type ConvergedDetail = ProgressDetail;
 
 /** `error`: the scene cannot be shown. The element says why in its place. */
 export type ErrorDetail = {
-  /** A `SceneError` lists every issue; a `WebGpuError` is about the device; otherwise the file could not be read. */
+  /** A `SceneError` lists the first 100 issues and counts all; a `WebGpuError` is about the device; otherwise the file could not be read. */
   readonly error: Error;
 };
 

@@ -1,9 +1,6 @@
 import { RtViewerError } from "../errors";
-import { fetchBytes } from "../loaders/fetchBytes";
+import { fetchBytes, nameOf } from "../loaders/fetchBytes";
 import type { LoadedScene } from "../loaders/loadedScene";
-
-/** Of an address in a message: a `data:` URL can be a whole model. */
-const MAX_NAME_LENGTH = 200;
 
 /**
  * Reads a scene file of any kind that `loadScene` knows. What is in a JSON scene is not validated here: the tracer does
@@ -13,10 +10,9 @@ const MAX_NAME_LENGTH = 200;
  * @throws {RtViewerError} if the file cannot be fetched or read. An aborted fetch throws the signal's reason.
  */
 export async function fetchScene(src: string, base: string, signal: AbortSignal): Promise<LoadedScene> {
-  if (!URL.canParse(src, base)) throw new RtViewerError(`${src} is not a URL`);
+  if (!URL.canParse(src, base)) throw new RtViewerError(`${nameOf(src)} is not a URL`);
   const url = new URL(src, base).href;
   // The code that tells files apart arrives while the file does.
   const [bytes, { loadScene }] = await Promise.all([fetchBytes(url, signal), import("../loaders/loadScene")]);
-  const name = url.length > MAX_NAME_LENGTH ? `${url.slice(0, MAX_NAME_LENGTH)}…` : url;
-  return loadScene(bytes, { name, baseUrl: url, signal });
+  return loadScene(bytes, { name: nameOf(url), baseUrl: url, signal });
 }

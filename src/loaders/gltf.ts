@@ -39,7 +39,7 @@ export async function loadGltf(bytes: Uint8Array, options: LoadOptions = {}): Pr
 }
 
 async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedScene> {
-  const { signal, decodeImage } = options;
+  const { signal } = options;
   const warnings = new Warnings();
   const { json: untrusted, binary } = readContainer(bytes);
   const json = parseGltfJson(untrusted);
@@ -64,7 +64,7 @@ async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedS
   const scene: Scene = {
     camera,
     materials: materials.all,
-    textures: await textures.decode(resources, decodeImage),
+    textures: await textures.decode(resources, options),
     objects,
     lights,
   };

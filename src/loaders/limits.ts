@@ -1,12 +1,17 @@
 // How much a file may ask for. A few bytes can claim anything, so this is checked before memory is taken.
 
+/** Of a file that is fetched or dropped. A model of eight million triangles has 300 MB, and browsers give little more in one piece. */
+export const MAX_FILE_BYTES = 2 ** 29;
 /** After instancing. A million is a large model on the web; these take half a gigabyte. */
 export const MAX_TRIANGLES = 2 ** 23;
 /** After instancing. */
 export const MAX_VERTICES = 2 ** 24;
 /** Of all pictures together: 256 MiB. */
 export const MAX_TEXELS = 2 ** 26;
-/** What all vertex data of a file may unpack to, and all its picture files together. Parts can share bytes, so it can be more than the file has. */
+/**
+ * What all vertex data of a file may unpack to, what all that meshopt packed does, and all picture files together. Parts can share
+ * bytes, so it can be more than the file has.
+ */
 export const MAX_UNPACKED_BYTES = 2 ** 30;
 /** Meshes in the scene, after instancing. */
 export const MAX_OBJECTS = 2 ** 17;

@@ -2,6 +2,7 @@ import type { Scene } from "../scene/schema";
 
 /** What a file became. */
 export type LoadedScene = {
+  /** Texels that the browser decoded are not copied when the scene is shown: another picture has to be another array. */
   readonly scene: Scene;
   /** What the file has that is not shown, or not as it should be: one sentence each. Empty if the scene is all of it. */
   readonly warnings: readonly string[];

@@ -1,5 +1,6 @@
 import { LoadError } from "../errors";
 import { show } from "../scene/describe";
+import { MAX_FILE_BYTES } from "./limits";
 import type { LoadedScene } from "./loadedScene";
 import { loadScene } from "./loadScene";
 import { reportingAs } from "./reportingAs";
@@ -42,5 +43,8 @@ function baseName(uri: string): string {
 }
 
 async function bytesOf(file: Blob): Promise<Uint8Array> {
+  if (file.size > MAX_FILE_BYTES) {
+    throw new LoadError(`${show(nameOf(file))} has more than ${MAX_FILE_BYTES} bytes`);
+  }
   return new Uint8Array(await file.arrayBuffer());
 }

@@ -289,7 +289,9 @@ export class PathTracer {
    * @throws {WebGpuError} if this or earlier work on the device failed.
    */
   async sample(count: number): Promise<void> {
-    while (!this.#inFlight.isEmpty || this.#installing) await Promise.all([this.#inFlight.all(), this.#installing]);
+    while (!this.#inFlight.isEmpty || this.#installing || this.#geometry?.filling) {
+      await Promise.all([this.#inFlight.all(), this.#installing, this.#geometry?.filling]);
+    }
     if (this.#disposed) return;
     if (this.#stale) this.#restart();
     if (count >= BAKE_SAMPLES) await this.compile();
@@ -368,7 +370,7 @@ export class PathTracer {
    */
   frame(): boolean {
     if (this.#failure !== undefined) throw this.#failure;
-    if (this.#disposed || this.#inFlight.isFull) return false;
+    if (this.#disposed || this.#inFlight.isFull || this.#geometry?.filling) return false;
     // Finish the first pass of what is shown before following a moving camera, or a slow adapter would never show any.
     const isFirstPass = this.#progress.samples === 0 && !this.#progress.isBalanced;
     if (this.#stale && !isFirstPass) this.#restart();

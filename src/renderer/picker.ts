@@ -69,9 +69,10 @@ export class Picker {
   async #trace(sight: () => Sight, x: number, y: number): Promise<Picked | undefined> {
     const key = programKey(sight().compiled);
     const pipeline = await this.#pipelineFor(sight().compiled);
+    await sight().geometry?.filling;
     if (this.#isDisposed) return undefined;
     const { scene, compiled, geometry, camera, width, height } = sight();
-    if (programKey(compiled) !== key) return this.#trace(sight, x, y);
+    if (programKey(compiled) !== key || geometry?.filling) return this.#trace(sight, x, y);
     const { forward, right, up, ...basis } = cameraBasis(camera, compiled.origin, width / height);
     const direction = normalize(add(forward, add(scale(right, x), scale(up, y))));
     // A picture of one pixel, with the point in its middle.

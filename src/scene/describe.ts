@@ -8,6 +8,18 @@ export function show(value: unknown): string {
   return text.length > MAX_SHOWN_LENGTH ? `${text.slice(0, MAX_SHOWN_LENGTH - 1)}…` : text;
 }
 
+/** `objects[3].radius`, `materials["old gold"].ior`: the way to a value as JavaScript spells it. Long names are cut. */
+export function formatPath(keys: readonly unknown[]): string {
+  return keys.reduce<string>((text, key) => {
+    if (typeof key === "number") return `${text}[${key}]`;
+    const name = String(key);
+    if (name.length > MAX_SHOWN_LENGTH || !IDENTIFIER.test(name)) return `${text}[${show(name)}]`;
+    return text === "" ? name : `${text}.${name}`;
+  }, "");
+}
+
+const IDENTIFIER = /^[\p{ID_Start}$_][\p{ID_Continue}$]*$/u;
+
 /** Names in quotes, as a list to choose from: `"a", "b" or "c"`. */
 export function oneOf(names: readonly string[]): string {
   const quoted = names.map((name) => JSON.stringify(name));
@@ -31,7 +43,8 @@ export function suggest(name: unknown, known: readonly string[]): string {
 function showNested(value: unknown, depth: number): string {
   if (value === undefined) return "nothing";
   if (typeof value === "string") return JSON.stringify(value.slice(0, MAX_SHOWN_LENGTH));
-  if (typeof value === "bigint") return `${value}n`;
+  // To write down a million digits takes seconds.
+  if (typeof value === "bigint") return BigInt.asIntN(64, value) === value ? `${value}n` : "a bigint";
   if (typeof value === "function") return "a function";
   if (typeof value !== "object" || value === null) return String(value);
 
@@ -45,7 +58,7 @@ function showNested(value: unknown, depth: number): string {
   if (kind !== "Object") return `a ${kind}`;
   if (depth === 0) return "{…}";
   const entries = Object.keys(value).slice(0, MAX_SHOWN_LENGTH);
-  const shown = entries.map((key) => `${JSON.stringify(key)}: ${showNested(Reflect.get(value, key), depth - 1)}`);
+  const shown = entries.map((key) => `${showNested(key, 0)}: ${showNested(Reflect.get(value, key), depth - 1)}`);
   return `{${shown.join(", ")}}`;
 }
 

@@ -1,6 +1,8 @@
 import * as v from "valibot";
-import { isHopeless, pathItem, triple } from "./containers";
+import { lengthOf, triple } from "./containers";
 import { show } from "./describe";
+import { isKept, keep } from "./keptBytes";
+import { Report } from "./report";
 import { hasShape, type Range } from "./shape";
 
 // The shader computes in f32, whose range is 1.2e-38 … 3.4e38, and it squares what the scene holds: distances, radii, and
@@ -43,11 +45,7 @@ export const vec3 = triple(finite, "[x, y, z]");
 export const sizes = triple(positive, "[x, y, z]");
 /** `[x, y, z]`, not all zero; the length is not 1 in general. */
 export const direction = v.pipe(
-  vec3,
-  v.check(
-    (vector) => Math.hypot(...vector) >= MIN_SIZE,
-    (issue) => `expected a vector that is not zero, got ${show(issue.input)}`,
-  ),
+  triple(finite, "[x, y, z]", (vector) => (Math.hypot(...vector) < MIN_SIZE ? "a vector that is not zero" : undefined)),
   hasShape({ kind: "triple", item: finite, isNonZero: true }),
 );
 /** `[r, g, b]`, linear Rec. 709, each from 0 to 1: reflectances. */
@@ -71,10 +69,13 @@ export const coordinates = numbers(ANY, Float64Array);
 export const floats = numbers(ANY, Float32Array);
 /** Integers ≥ 0. */
 export const indices = numbers(INDEX, Uint32Array);
-/** Integers from 0 to 255. */
-export const bytes = numbers(BYTE, Uint8Array);
+/** Integers from 0 to 255. Those that are kept are not copied, and those that come out are. */
+export const bytes = numbers(BYTE, Uint8Array, keep);
 
 type TypedArray = Float64Array | Float32Array | Uint32Array | Uint8Array;
+
+/** Numbers in an array that is not typed. Engines hold no longer one but as a table of its entries, which may be few. */
+const MAX_UNTYPED = 2 ** 26;
 
 /**
  * A list of numbers of any length, which becomes a new typed array.
@@ -83,33 +84,49 @@ type TypedArray = Float64Array | Float32Array | Uint32Array | Uint8Array;
  */
 function numbers<Out extends TypedArray>(
   rule: Rule,
-  Typed: new (length: number) => Out,
+  Typed: new (from: number | ArrayLike<number>) => Out,
+  finish: (typed: Out) => Out = (typed) => typed,
 ): v.GenericSchema<Numbers, Out> {
   const { min, max, isInteger = false } = rangeOf(rule);
+  const isSafe = (kind: string | undefined) => min <= 0 && max >= (LARGEST[kind ?? ""] ?? Number.POSITIVE_INFINITY);
   return v.pipe(
     v.custom<Numbers>(isNumbers, (issue) => `expected an array, got ${show(issue.input)}`),
-    v.rawTransform(({ dataset: { value: input }, addIssue, NEVER }) => {
-      let faulty = 0;
-      for (let i = 0; i < input.length && !isHopeless(faulty, addIssue); i++) {
+    v.rawTransform(({ dataset: { value: input }, config }): Out | undefined => {
+      const kind = kindOf(input);
+      if (isSafe(kind)) return kind === Typed.name && isKept(input) ? (input as Out) : finish(new Typed(input));
+      const report = Report.of(config);
+      const length = kind === undefined ? lengthOf(input as readonly number[], MAX_UNTYPED, report) : input.length;
+      const typed = new Typed(length);
+      let isSound = true;
+      for (let i = 0; i < length; i++) {
         const value: unknown = input[i];
         // To ask `problemWith` of each of a mesh's millions takes three times as long.
         const isInRange = typeof value === "number" && value >= min && value <= max;
-        if (isInRange && (!isInteger || Number.isInteger(value))) continue;
-        const message = `expected ${problemWith(value, rule)}, got ${show(value)}`;
-        addIssue({ message, path: [pathItem(input, i)] });
-        faulty++;
+        if (isInRange && (!isInteger || Number.isInteger(value))) typed[i] = value;
+        else {
+          report.add(() => `expected ${problemWith(value, rule)}, got ${show(value)}`, i);
+          isSound = false;
+        }
       }
-      if (faulty > 0) return NEVER;
-      const typed = new Typed(input.length);
-      typed.set(input);
-      return typed;
+      return isSound ? finish(typed) : undefined;
     }),
     hasShape({ kind: "list", item: number(rule) }),
-  );
+  ) as v.GenericSchema<Numbers, Out | undefined> as v.GenericSchema<Numbers, Out>;
+}
+
+/** What is in these arrays is an integer from 0 to this, whoever wrote it: there is nothing to check. */
+const LARGEST: Readonly<Record<string, number>> = { Uint8Array: 255, Uint8ClampedArray: 255, Uint16Array: 65535 };
+
+const typedArrays = Object.getPrototypeOf(Uint8Array.prototype);
+const kindGetter = Object.getOwnPropertyDescriptor(typedArrays, Symbol.toStringTag)!.get!;
+
+/** `"Uint8Array"` for one, even if it pretends to be another; `undefined` for what is no typed array. */
+function kindOf(input: unknown): string | undefined {
+  return kindGetter.call(input);
 }
 
 function isNumbers(input: unknown): input is Numbers {
-  return Array.isArray(input) || (ArrayBuffer.isView(input) && !(input instanceof DataView));
+  return Array.isArray(input) || kindOf(input) !== undefined;
 }
 
 function number(rule: Rule): v.GenericSchema<number> {

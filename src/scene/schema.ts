@@ -5,6 +5,7 @@
 import * as v from "valibot";
 import { byType, dictionary, list, strictObject, triple } from "./containers";
 import { oneOf, show, suggest } from "./describe";
+import { checkNames } from "./names";
 import {
   bytes,
   coordinates,
@@ -105,15 +106,6 @@ export const MaterialSchema = strictObject(
   },
 );
 
-/** The fields of a material that name a texture. */
-export const TEXTURE_FIELDS = [
-  "baseColorTexture",
-  "metallicRoughnessTexture",
-  "emissionTexture",
-  "normalTexture",
-] as const;
-export type TextureField = (typeof TEXTURE_FIELDS)[number];
-
 /** The name of one of the scene's materials. */
 const materialName = v.string((issue) => `expected the name of a material, got ${show(issue.input)}`);
 
@@ -129,7 +121,10 @@ export const TextureSchema = strictObject(
   {
     width: textureSize,
     height: textureSize,
-    /** Red, green, blue and alpha, from 0 to 255, of each texel; rows from the top. Alpha has no meaning yet. */
+    /**
+     * Red, green, blue and alpha, from 0 to 255, of each texel; rows from the top. Alpha has no meaning yet. A `Uint8Array` that a
+     * loader made, or that comes from a scene that was parsed, is not copied: another picture has to be another array.
+     */
     texels: bytes,
     /** What is left and right of it: texture coordinates outside of 0…1 … */
     wrapU: choice(WRAPS, "repeat"),
@@ -272,27 +267,32 @@ export const EnvironmentSchema = strictObject({
 
 /** A scene. Right-handed, Y up, metres; colours are linear Rec. 709; angles are in degrees. */
 export const SceneSchema = v.pipe(
-  strictObject({
-    /** For editors that check JSON while it is written; has no meaning here. */
-    $schema: v.optional(v.string((issue) => `expected the address of a JSON schema, got ${show(issue.input)}`)),
-    camera: CameraSchema,
-    /** Surfaces by name; the objects refer to them. */
-    materials: v.optional(dictionary(MaterialSchema), {}),
-    /** Pictures by name; the materials refer to them. */
-    textures: v.optional(dictionary(TextureSchema), {}),
-    /** Everything that has a surface. */
-    objects: list(ObjectSchema),
-    /** Lamps; surfaces whose material has an `emission` shine too. */
-    lights: v.optional(list(LightSchema), []),
-    environment: v.optional(EnvironmentSchema, {}),
-    /** How often a path may scatter between camera and light: 0 shows emitters only, 1 is direct light. */
-    maxBounces: v.optional(
-      numberThat(`an integer from 0 to ${MAX_BOUNCES}`, { min: 0, max: MAX_BOUNCES, isInteger: true }),
-      8,
-    ),
-  }),
+  strictObject(
+    {
+      /** For editors that check JSON while it is written; has no meaning here. */
+      $schema: v.optional(v.string((issue) => `expected the address of a JSON schema, got ${show(issue.input)}`)),
+      camera: CameraSchema,
+      /** Surfaces by name; the objects refer to them. */
+      materials: v.optional(dictionary(MaterialSchema), {}),
+      /** Pictures by name; the materials refer to them. */
+      textures: v.optional(dictionary(TextureSchema), {}),
+      /** Everything that has a surface. */
+      objects: list(ObjectSchema),
+      /** Lamps; surfaces whose material has an `emission` shine too. */
+      lights: v.optional(list(LightSchema), []),
+      environment: v.optional(EnvironmentSchema, {}),
+      /** How often a path may scatter between camera and light: 0 shows emitters only, 1 is direct light. */
+      maxBounces: v.optional(
+        numberThat(`an integer from 0 to ${MAX_BOUNCES}`, { min: 0, max: MAX_BOUNCES, isInteger: true }),
+        8,
+      ),
+    },
+    checkNames,
+  ),
   v.transform(({ $schema, ...scene }) => scene),
 );
+
+export { TEXTURE_FIELDS, type TextureField } from "./names";
 
 /** What users write: everything that has a default is optional. */
 export type Scene = v.InferInput<typeof SceneSchema>;

@@ -1,5 +1,7 @@
 import type { Page } from "@playwright/test";
+import { encode } from "fast-png";
 import { MIN_WORKER_PRIMITIVES } from "../../src/bvh/buildInWorker";
+import { triangleFile } from "../support/gltf";
 import { bumpyScene } from "./support/bumpyScene";
 import { contrast, pictureOf } from "./support/picture";
 import { expect, test } from "./support/test";
@@ -59,6 +61,24 @@ test("the panel keeps to a strict content security policy too, and is styled", a
   const title = viewer.getByRole("button").first();
   await expect(title).toHaveCSS("display", "block");
   await expect(viewer.locator(".tp-rotv")).toHaveCSS("border-radius", "8px");
+  expect(await violationsOf(page)).toEqual([]);
+});
+
+test("a model with a picture is shown under a strict content security policy", async ({ page }) => {
+  const png = encode({ width: 2, height: 1, channels: 3, data: Uint8Array.of(255, 0, 0, 0, 255, 0) });
+  const model = triangleFile((json, packer) => {
+    json.images = [{ bufferView: packer.addView(png) }, { uri: `data:;base64,${Buffer.from(png).toString("base64")}` }];
+    json.textures = [{ source: 0 }, { source: 1 }];
+    json.materials = [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } }, normalTexture: { index: 1 } }];
+    json.meshes[0].primitives[0].material = 0;
+    json.meshes[0].primitives[0].attributes.TEXCOORD_0 = packer.add(Float32Array.of(0, 0, 1, 0, 0, 1), "VEC2");
+  });
+  await page.route("**/model.glb", (route) => route.fulfill({ body: Buffer.from(model) }));
+  const policy = "default-src 'none'; script-src 'self'; connect-src 'self'";
+  await openStrictFixture(page, `${policy}; img-src data:; ${TRUSTED_TYPES}`); // the fixture's icon is a data: URL
+  const viewer = await addViewer(page, { src: "model.glb" });
+  await waitForSamples(viewer, 1);
+  expect(contrast(await pictureOf(viewer))).toBeGreaterThan(10);
   expect(await violationsOf(page)).toEqual([]);
 });
 

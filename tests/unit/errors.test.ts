@@ -29,3 +29,14 @@ test("the message of a SceneError lists every issue on a line of its own", () =>
 test("one issue is one error", () => {
   expect(new SceneError([{ path: "camera", message: "x" }]).message).toBe("The scene has 1 error:\ncamera: x");
 });
+
+test("a SceneError of a hundred thousand issues holds a hundred, and counts", () => {
+  const issues = Array.from({ length: 98_865 }, (_, i) => ({ path: `k${i}`, message: "unknown key" }));
+  const error = new SceneError(issues);
+  expect(error.issues).toEqual(issues.slice(0, 100));
+  expect(error.issueCount).toBe(98_865);
+  const lines = error.message.split("\n");
+  expect(lines).toHaveLength(102);
+  expect(lines[0]).toBe("The scene has 98,865 errors:");
+  expect(lines.at(-1)).toBe("… and 98,765 more");
+});

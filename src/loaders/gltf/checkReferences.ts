@@ -29,6 +29,11 @@ const COMPONENTS: Readonly<Record<GltfAccessor["type"], number>> = {
  */
 export function checkReferences(json: GltfJson): void {
   json.bufferViews.forEach((_, i) => void checkBufferView(json, i));
+  const packed = json.bufferViews.filter(({ extensions }) => extensions?.EXT_meshopt_compression !== undefined);
+  checkUnpacked(
+    "data packed by meshopt",
+    packed.reduce((sum, { byteLength }) => sum + byteLength, 0),
+  );
   json.textures.forEach(({ source, sampler, extensions }, i) => {
     checkIndex(json, "images", source, `textures[${i}].source`);
     checkIndex(json, "images", extensions?.EXT_texture_webp?.source, `textures[${i}].extensions.EXT_texture_webp`);
@@ -65,7 +70,7 @@ function checkBufferView(json: GltfJson, i: number): void {
   const packed = view.extensions?.EXT_meshopt_compression;
   if (packed === undefined) return;
   checkRange(json, packed, `${path}.extensions.EXT_meshopt_compression`);
-  if (packed.count * packed.byteStride === view.byteLength && view.byteLength <= MAX_UNPACKED_BYTES) return;
+  if (packed.count * packed.byteStride === view.byteLength) return;
   throw new LoadError(`${path}: ${packed.count} × ${packed.byteStride} unpacked bytes don't fit ${view.byteLength}`);
 }
 
@@ -97,8 +102,12 @@ function checkMeshes(json: GltfJson): void {
   });
   let bytes = 0;
   for (const index of unpacked) bytes += unpackedBytes(json.accessors[index]!);
+  checkUnpacked("meshes", bytes);
+}
+
+function checkUnpacked(what: string, bytes: number): void {
   if (bytes <= MAX_UNPACKED_BYTES) return;
-  throw new LoadError(`has meshes that would unpack to ${bytes} bytes; at most ${MAX_UNPACKED_BYTES} are read`);
+  throw new LoadError(`has ${what} that would unpack to ${bytes} bytes; at most ${MAX_UNPACKED_BYTES} are read`);
 }
 
 function checkPrimitive(

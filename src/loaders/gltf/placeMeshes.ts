@@ -43,6 +43,7 @@ export class MeshPlacer {
   place({ index, node, world }: PlacedNode): void {
     if (node.mesh === undefined) return;
     const shapes = this.#shapesOf(node.mesh);
+    if (shapes.length === 0) return; // in however many places
     const instances = node.extensions?.EXT_mesh_gpu_instancing?.attributes;
     const path = `nodes[${index}]`;
     const places = instances === undefined ? [world] : instanceMatrices(instances, this.#data, world, path);

@@ -3,6 +3,7 @@
 import { LoadError } from "../../errors";
 import { fetchBytes } from "../fetchBytes";
 import type { LoadOptions } from "../loadedScene";
+import { decodeDataUri } from "./dataUri";
 import type { GltfJson } from "./schema";
 
 /** Reads what a glTF file is made of. Every method rejects with a `LoadError` that says which part is not there. */
@@ -54,20 +55,4 @@ export class Resources {
     const { baseUrl, fetchResource = fetchBytes, signal } = this.#options;
     return fetchResource(baseUrl === undefined ? uri : new URL(uri, baseUrl).href, signal);
   }
-}
-
-/** Decoded here and not by `fetch`, which a page's content security policy may keep from `data:`. */
-function decodeDataUri(uri: string): Uint8Array {
-  const comma = uri.indexOf(",");
-  const payload = uri.slice(comma + 1);
-  if (comma < 0 || !uri.slice(0, comma).endsWith(";base64")) throw new LoadError("expected a data URI in base64");
-  let text: string;
-  try {
-    text = atob(payload);
-  } catch (cause) {
-    throw new LoadError("its data URI is not base64", { cause });
-  }
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
-  return bytes;
 }

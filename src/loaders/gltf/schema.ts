@@ -4,8 +4,7 @@
 
 import * as v from "valibot";
 import { LoadError } from "../../errors";
-import { show } from "../../scene/describe";
-import { formatPath } from "../../scene/parseScene";
+import { formatPath, show } from "../../scene/describe";
 
 // The scene's numbers have to stay below 1e18 after a product of two.
 const MAX_BRIGHTNESS = 1e8;
@@ -205,7 +204,7 @@ export function parseGltfJson(input: unknown): GltfJson {
   if (!parsed.success) {
     const [{ path, expected, type, input: value }] = parsed.issues;
     const what = value === undefined ? "is missing" : `expected ${expected ?? type}, got ${show(value)}`;
-    throw new LoadError(`${formatPath(path ?? []) || "JSON"}: ${what}`);
+    throw new LoadError(`${formatPath((path ?? []).map(({ key }) => key)) || "JSON"}: ${what}`);
   }
   const { version, minVersion = "2.0" } = parsed.output.asset;
   if (!version.startsWith("2.") || minVersion !== "2.0") {

@@ -2,13 +2,17 @@
 
 import { ImageUtils } from "@gltf-transform/core";
 import { LoadError } from "../../errors";
-import type { Texture } from "../../scene/schema";
+import type { Scene, Texture } from "../../scene/schema";
 import { decodeInPage } from "../decodeInPage";
 import { MAX_TEXELS, MAX_UNPACKED_BYTES } from "../limits";
-import type { DecodedImage, DecodeImage } from "../loadedScene";
+import type { DecodedImage, DecodeImage, LoadOptions } from "../loadedScene";
 import type { Resources } from "./resources";
 import type { GltfJson } from "./schema";
 
+/** Files at the same time: as many as browsers load from one host. */
+const MAX_READING = 6;
+/** Pictures at the same time: the browser's threads are at one while another is unpacked. More would only take more memory. */
+const MAX_DECODING = 2;
 const NEAREST = 9728;
 const WRAPS = { 33071: "clamp", 33648: "mirror", 10497: "repeat" } as const;
 
@@ -40,25 +44,43 @@ export class Textures {
   /**
    * Reads and decodes every picture in use.
    *
-   * @throws {LoadError} if one is missing or damaged, or all together are too large.
+   * @throws {LoadError} if one is missing or damaged, or all together are too large, which is known before any is decoded.
    */
-  async decode(resources: Resources, decodeImage: DecodeImage = decodeInPage): Promise<Record<string, Texture>> {
+  async decode(resources: Resources, { decodeImage = decodeInPage, signal }: LoadOptions): Promise<Scene["textures"]> {
     const indices = [...new Set([...this.#used.values()].map(({ image }) => image))];
-    const files = await Promise.all(indices.map(async (index) => fileOf(await resources.image(index), index)));
-    const texelCount = files.reduce((sum, { size: [width, height] }) => sum + width * height, 0);
-    if (texelCount > MAX_TEXELS) {
-      throw new LoadError(`has pictures of ${texelCount} texels; at most ${MAX_TEXELS} are read`);
-    }
-    const byteCount = files.reduce((sum, { bytes }) => sum + bytes.length, 0);
-    if (byteCount > MAX_UNPACKED_BYTES) {
-      throw new LoadError(`has pictures of ${byteCount} bytes; at most ${MAX_UNPACKED_BYTES} are read`);
-    }
+    const files: ImageFile[] = [];
+    let texelCount = 0;
+    let byteCount = 0;
+    await forEachOf(indices, MAX_READING, async (index) => {
+      const file = await fileOf(await resources.image(index), index);
+      texelCount += file.size[0] * file.size[1];
+      byteCount += file.bytes.length;
+      if (texelCount > MAX_TEXELS) throw new LoadError(`has pictures of more than ${MAX_TEXELS} texels`);
+      if (byteCount > MAX_UNPACKED_BYTES) throw new LoadError(`has pictures of more than ${MAX_UNPACKED_BYTES} bytes`);
+      files.push(file);
+    });
     const decoded = new Map<number, DecodedImage>();
-    await Promise.all(files.map(async (file) => void decoded.set(file.index, await decode(file, decodeImage))));
+    await forEachOf(files, MAX_DECODING, async (file) => {
+      signal?.throwIfAborted();
+      decoded.set(file.index, await decode(file, decodeImage));
+    });
     return Object.fromEntries(
       [...this.#used].map(([name, { image, look }]) => [name, { ...decoded.get(image)!, ...look }]),
     );
   }
+}
+
+/** Does something with each, with a few at the same time. Once that fails nothing more is begun. */
+async function forEachOf<T>(items: readonly T[], atOnce: number, act: (item: T) => Promise<void>): Promise<void> {
+  const waiting = each(items);
+  const worker = async () => {
+    for (const item of waiting) await act(item); // which ends `waiting` when it throws
+  };
+  await Promise.all(Array.from({ length: atOnce }, worker));
+}
+
+function* each<T>(items: readonly T[]): Generator<T> {
+  yield* items;
 }
 
 type ImageFile = {

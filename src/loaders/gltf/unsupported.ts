@@ -2,7 +2,7 @@
 
 import { LoadError } from "../../errors";
 import { show } from "../../scene/describe";
-import type { Warnings } from "../warnings";
+import { listed, type Warnings } from "../warnings";
 import { placeOf } from "./materials";
 import { hasTriangles } from "./primitive";
 import type { GltfJson } from "./schema";
@@ -27,7 +27,7 @@ const HARMLESS_EXTENSIONS = new Set(["KHR_xmp", "KHR_xmp_json_ld", "EXT_structur
 export function checkExtensions({ extensionsRequired, extensionsUsed }: GltfJson, warnings: Warnings): void {
   const isUnknown = (name: string) => !SUPPORTED_EXTENSIONS.has(name) && !HARMLESS_EXTENSIONS.has(name);
   const missing = extensionsRequired.filter(isUnknown).map(show);
-  if (missing.length > 0) throw new LoadError(`requires ${missing.join(", ")}, which is not supported`);
+  if (missing.length > 0) throw new LoadError(`requires ${listed(missing)}, which is not supported`);
   for (const name of extensionsUsed.filter(isUnknown)) {
     warnings.add("A glTF extension is not supported, and what it says is left out", show(name));
   }

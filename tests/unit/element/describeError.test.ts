@@ -15,6 +15,15 @@ describe("describeError", () => {
     });
   });
 
+  it("lists twenty of a hundred thousand issues, and counts the rest", () => {
+    const issues = Array.from({ length: 30 }, (_, i) => ({ path: `k${i}`, message: "unknown key" }));
+    const { title, lines } = describeError(new SceneError(issues, { issueCount: 100_000 }));
+    expect(title).toBe("The scene has 100,000 mistakes");
+    expect(lines).toHaveLength(21);
+    expect(lines[19]).toBe("k19: unknown key");
+    expect(lines[20]).toBe("… and 99,980 more");
+  });
+
   it.each([
     new UnsupportedError("no meshes yet"),
     new WebGpuError("no adapter"),

@@ -1,6 +1,7 @@
-import { describe, expect, test } from "vitest";
+import { encode } from "fast-png";
+import { describe, expect, test, vi } from "vitest";
 import { decodeImage } from "../../../src/cli/decodeImage";
-import { loadGltf } from "../../../src/loaders/gltf";
+import { type DecodedImage, loadGltf } from "../../../src/loaders/gltf";
 import { loadScene } from "../../../src/loaders/loadScene";
 import { parseScene } from "../../../src/scene/parseScene";
 import { container, glb, meshesOf, type Packer, type TriangleJson, triangleFile } from "../../support/gltf";
@@ -191,11 +192,126 @@ describe("a small file that would become a large scene", () => {
     }
   });
 
+  test("by a picture of 30000 × 30000, before it is decoded", async () => {
+    const png = encode({ width: 1, height: 1, channels: 1, data: new Uint8Array(1) });
+    const view = new DataView(png.buffer, png.byteOffset);
+    view.setUint32(16, 30_000);
+    view.setUint32(20, 30_000);
+    const decoded = vi.fn(decodeImage);
+    const load = loadGltf(texturedFile([png]), { decodeImage: decoded });
+    await expect(load).rejects.toThrow("the file has pictures of more than 67108864 texels");
+    expect(decoded).not.toHaveBeenCalled();
+  });
+
+  test("by many pictures, of which two are decoded at a time, and none after one that is damaged", async () => {
+    const png = encode({ width: 2, height: 2, channels: 1, data: new Uint8Array(4) });
+    let now = 0;
+    let most = 0;
+    const slowly = (result: () => DecodedImage) => async () => {
+      most = Math.max(most, ++now);
+      await new Promise((resolve) => setTimeout(resolve, 5));
+      now--;
+      return result();
+    };
+    const good = vi.fn(slowly(() => ({ width: 2, height: 2, texels: new Uint8Array(16) })));
+    const { scene } = await loadGltf(texturedFile(Array(9).fill(png)), { decodeImage: good });
+    expect(Object.keys(scene.textures!)).toHaveLength(9);
+    expect(good).toHaveBeenCalledTimes(9);
+    expect(most).toBe(2);
+    const bad = vi.fn(
+      slowly(() => {
+        throw new Error("damaged");
+      }),
+    );
+    await expect(loadGltf(texturedFile(Array(9).fill(png)), { decodeImage: bad })).rejects.toThrow("damaged");
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    expect(bad.mock.calls.length).toBeLessThanOrEqual(2);
+  });
+
+  test("by views that meshopt unpacks from the same bytes", async () => {
+    const file = triangleFile((json, packer) => {
+      const byteLength = 2 ** 28;
+      const packed = { buffer: 0, byteLength: 36, byteStride: 256, count: 2 ** 20, mode: "ATTRIBUTES" };
+      json.buffers = [{ byteLength: packer.binary.length }, { byteLength }];
+      json.extensionsUsed = ["EXT_meshopt_compression"];
+      for (let i = 0; i < 5; i++) {
+        packer.bufferViews.push({ buffer: 1, byteLength, extensions: { EXT_meshopt_compression: packed } });
+      }
+    });
+    expect(await complaintAbout(file)).toContain("has data packed by meshopt that would unpack to 1342177280 bytes");
+  });
+
+  test("by fifty million places of a mesh without triangles", async () => {
+    const file = triangleFile((json, packer) => {
+      const count = 3 * 2 ** 24;
+      const sparse = { count: 1, indices: { bufferView: 0, componentType: 5121 }, values: { bufferView: 0 } };
+      packer.accessors.push({ componentType: 5121, type: "VEC3", normalized: true, count, sparse });
+      json.meshes[0].primitives[0].mode = 0;
+      const attributes = { TRANSLATION: packer.accessors.length - 1 };
+      json.nodes = [{ mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes } } }];
+    });
+    expect(await complaintAbout(file)).toBe("");
+  });
+
   test("by a chain of a hundred thousand nodes, which is only deep", async () => {
     const file = triangleFile((json) => {
       json.nodes = Array.from({ length: 100_000 }, (_, i) => (i < 99_999 ? { children: [i + 1] } : { mesh: 0 }));
     });
     expect(await complaintAbout(file)).toBe("");
+  });
+});
+
+describe("a file with a lot to say", () => {
+  const many = (length: number, text: (i: number) => unknown) => Array.from({ length }, (_, i) => text(i));
+
+  test("is not quoted at length", async () => {
+    const long = "x".repeat(1e6);
+    const required = triangleFile((json) => Object.assign(json, { extensionsRequired: many(1e5, (i) => `EXT_${i}`) }));
+    expect(await complaintAbout(required)).toBe(
+      'x.glb requires "EXT_0", "EXT_1", "EXT_2" and 99997 more, which is not supported',
+    );
+    const attribute = triangleFile((json) => Object.assign(json.meshes[0].primitives[0].attributes, { [long]: 9 }));
+    await expect(loadGltf(attribute)).rejects.toThrow(/^.{900,1100}…$/);
+    const buffers = [{ uri: long, byteLength: 1 }];
+    const { message } = await loadGltf(triangleFile((json) => Object.assign(json, { buffers }))).catch(
+      (error) => error,
+    );
+    expect(message.length).toBeLessThan(1100);
+  });
+
+  test("gives a hundred warnings, and their number", async () => {
+    const file = triangleFile((json) => {
+      const extensions = (i: number) => ({ KHR_materials_ior: { ior: i / 1000 } });
+      json.materials = many(500, (i) => ({ extensions: extensions(i) }));
+      const [primitive] = json.meshes[0].primitives;
+      json.meshes[0].primitives = many(500, (material) => ({ ...primitive, material }));
+    });
+    const { warnings } = await loadGltf(file);
+    expect(warnings).toHaveLength(101);
+    expect(warnings.at(-1)).toBe("… and 400 more");
+  });
+
+  test("in base64 is decoded in slices, as a whole", async () => {
+    const bytes = new Uint8Array(3e6).map((_, i) => i * 7);
+    const base64 = Buffer.from(bytes).toString("base64");
+    const withUri = (uri: string) => {
+      const buffers = [{ uri, byteLength: bytes.length }];
+      const bufferViews = [{ buffer: 0, byteLength: bytes.length }];
+      const accessors = [{ bufferView: 0, componentType: 5121, type: "VEC3", count: 1e6 }];
+      const meshes = [{ primitives: [{ attributes: { POSITION: 0 } }] }];
+      const json = { asset: { version: "2.0" }, buffers, bufferViews, accessors, meshes, nodes: [{ mesh: 0 }] };
+      return new TextEncoder().encode(JSON.stringify(json));
+    };
+    const start = "data:application/octet-stream;base64,";
+    const { scene } = await loadGltf(withUri(start + base64));
+    const [mesh] = meshesOf(scene);
+    const expected = Float32Array.from(bytes.subarray(0, mesh!.positions.length));
+    expect(Buffer.compare(Buffer.from(expected.buffer), Buffer.from(Float32Array.from(mesh!.positions).buffer))).toBe(
+      0,
+    );
+    await loadGltf(withUri(`${start}${base64.slice(0, 5)}\n ${base64.slice(5)}`));
+    const early = `${base64.slice(0, 2 ** 20 - 2)}==${base64.slice(0, 2 ** 20)}`;
+    await expect(loadGltf(withUri(start + early))).rejects.toThrow("buffers[0]: its data URI is not base64");
   });
 });
 
@@ -227,6 +343,20 @@ describe("a broken container", () => {
     expect(await complaintAbout(bytes)).toContain(complaint);
   });
 });
+
+/** A file whose triangle has as many materials as there are pictures, and each the picture of its number. */
+function texturedFile(pictures: readonly Uint8Array[]): Uint8Array {
+  return triangleFile((json, packer) => {
+    json.images = pictures.map((picture) => ({ bufferView: packer.addView(picture) }));
+    json.textures = pictures.map((_, source) => ({ source }));
+    json.materials = pictures.map((_, index) => ({ normalTexture: { index } }));
+    const attributes = {
+      ...json.meshes[0].primitives[0].attributes,
+      TEXCOORD_0: packer.add(new Float32Array(6), "VEC2"),
+    };
+    json.meshes[0].primitives = pictures.map((_, material) => ({ attributes, material }));
+  });
+}
 
 function viewOfNothing() {
   return {

@@ -203,7 +203,7 @@ describe("textures", () => {
     const load = loadTextured({ normalTexture: { index: 0 } }, (json) => {
       json.images = [{ uri: `data:image/png;base64,${btoa(String.fromCharCode(...bomb))}` }];
     });
-    await expect(load).rejects.toThrow("has pictures of 1600000000 texels; at most 67108864 are read");
+    await expect(load).rejects.toThrow("has pictures of more than 67108864 texels");
   });
 
   test("without a decoder the error says how to give one", async () => {
