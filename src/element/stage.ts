@@ -1,4 +1,4 @@
-import { WebGpuError } from "../errors";
+import { SceneError, WebGpuError } from "../errors";
 import { lossOf } from "../gpu/device";
 import type { View } from "../renderer/display";
 import { PathTracer, type SceneOptions } from "../renderer/pathTracer";
@@ -231,7 +231,8 @@ export class Stage {
         const { tracer } = this;
         await (tracer ? tracer.setScene(scene, options) : this.#open(scene, lease, options));
       } catch (error) {
-        if (signal.aborted || !(await lossOf(lease.device))) throw error;
+        // A mistake in the scene has nothing to do with the device, and is told at once.
+        if (signal.aborted || error instanceof SceneError || !(await lossOf(lease.device))) throw error;
       }
       if (signal.aborted || this.#lease !== lease || this.#view === undefined) continue;
       this.#applyAll(this.#view);

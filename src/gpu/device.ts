@@ -54,8 +54,9 @@ export function adapterName(device: GPUDevice): string {
   return [...new Set(parts)].join(" · ") || "unknown adapter";
 }
 
-// Work on a lost device fails up to this many milliseconds before the device says that it is lost.
-const LOSS_NOTICE_MS = 100;
+// Work on a lost device fails up to this many milliseconds before the device says that it is lost: on a busy machine 100 is
+// too few.
+const LOSS_NOTICE_MS = 500;
 
 /** The device's loss, if that is why work on it has failed; undefined if not. It may be told a moment after the work fails. */
 export function lossOf(device: GPUDevice): Promise<WebGpuError | undefined> {

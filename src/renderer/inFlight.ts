@@ -1,4 +1,4 @@
-import { lossOf, sleep, spinsInNode } from "../gpu/device";
+import { explainFailure, sleep, spinsInNode } from "../gpu/device";
 import { Readback, type Report } from "../gpu/readback";
 
 // With a second submit waiting, the device does not idle until the next one is made.
@@ -50,7 +50,7 @@ export class InFlight {
     const reported = follow()
       .catch(async (error: unknown) => {
         if (this.#isDisposed) return;
-        throw (await lossOf(this.#device)) ?? error;
+        throw await explainFailure(this.#device, error);
       })
       .finally(() => this.#reports.delete(readback));
     this.#reports.set(readback, reported);

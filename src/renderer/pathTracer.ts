@@ -409,6 +409,7 @@ export class PathTracer {
     if (this.#disposed) return;
     this.#disposed = true;
     this.#overtake.abort();
+    this.#installing = this.#pending = undefined; // or sample() would wait for ever
     this.#trace.dispose();
     this.#geometry?.dispose();
     this.#baked.drop();

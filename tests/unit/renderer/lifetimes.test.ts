@@ -202,6 +202,15 @@ describe("what is read while things change", () => {
   });
 });
 
+test("sample() after dispose() while a scene was compiled does not hang the page", async () => {
+  const tracer = await tracerOn(device);
+  const shown = tracer.setScene(CRATE);
+  tracer.dispose();
+  await tracer.sample(1);
+  await shown;
+  expect(tracer.stats.samples).toBe(0);
+});
+
 describe("a picture too large for the device", () => {
   const SIDE = 40_000; // 51 GB of film
   test("is refused when the tracer is made, with the limit and the need", async () => {
