@@ -11,7 +11,9 @@ function fakeDevice() {
   const sizes: number[] = [];
   const destroy = vi.fn();
   const device = {
-    limits: { maxStorageBufferBindingSize: 2 ** 30 },
+    limits: { maxStorageBufferBindingSize: 2 ** 30, maxBufferSize: 2 ** 30 },
+    pushErrorScope: () => {},
+    popErrorScope: async () => null,
     createBuffer: ({ size }: GPUBufferDescriptor) => {
       memory.bytes = new Uint8Array(size);
       return { destroy };
