@@ -4,14 +4,12 @@ import { checked, scoped } from "../gpu/errorScope";
 import { Film } from "../gpu/film";
 import { Readback } from "../gpu/readback";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
-import { type FrameUniforms, TracePass } from "../gpu/tracePass";
+import { TracePass } from "../gpu/tracePass";
+import type { SharedUniforms } from "./accumulation";
 import type { Pace } from "./pace";
 import type { Program } from "./program";
-import { Progress, type Slice } from "./progress";
+import { Progress } from "./progress";
 import { takeSlices } from "./takeSlices";
-
-/** What the dispatches of one accumulation have in common. */
-export type SharedUniforms = Omit<FrameUniforms, keyof Slice>;
 
 /** A program and the values it reads. */
 export type Contender = { readonly program: Program; readonly compiled: CompiledScene };

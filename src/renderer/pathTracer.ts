@@ -3,30 +3,26 @@ import { type CompiledScene, compileScene } from "../compile/compileScene";
 import { linkModule } from "../compile/linkProgram";
 import { RtViewerError } from "../errors";
 import { adapterName, explainFailure, requestDevice } from "../gpu/device";
-import { ErrorPass } from "../gpu/errorPass";
 import { scoped } from "../gpu/errorScope";
-import { checkFilmSize, Film } from "../gpu/film";
+import { checkFilmSize, type Film } from "../gpu/film";
 import { createComputePipeline } from "../gpu/pipelines";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
+import { Accumulation, type Guard, type Portion, type SharedUniforms, type Surroundings } from "./accumulation";
 import { type Bakeable, Baked, type IsQuicker } from "./baked";
 import { cameraBasis, lampPixels, rayStart } from "./camera";
 import { checkSettings } from "./checkSettings";
-import type { SharedUniforms } from "./compareTraces";
 import { Display, readPicture, type View } from "./display";
-import { ErrorChecks } from "./errorChecks";
 import { InFlight } from "./inFlight";
 import { Meter } from "./meter";
 import { Pace } from "./pace";
 import type { Picked, Picker, Sight } from "./picker";
 import { type Prepared, prepareGeometry } from "./prepareGeometry";
 import { createProgram, type Program, programKey } from "./program";
-import { Progress } from "./progress";
 import { DEFAULT_SETTINGS, type Settings, sampleLimit } from "./settings";
 import type { Stats } from "./stats";
-import { takeSlices } from "./takeSlices";
 import { firstPathsFor } from "./workload";
 
 /** What a tracer is made from. */
@@ -73,9 +69,9 @@ export class PathTracer {
   /** Where it renders; the one that was given, or its own. */
   readonly device: GPUDevice;
   readonly #ownsDevice: boolean;
-  readonly #errorPipeline: GPUComputePipeline;
   readonly #inFlight: InFlight;
   readonly #meter: Meter;
+  readonly #surroundings: Surroundings;
   #picker: Picker | undefined;
 
   #scene: ResolvedScene;
@@ -87,11 +83,7 @@ export class PathTracer {
   #trace: TracePass;
   /** Stands in for program and trace while the scene rests. */
   readonly #baked: Baked;
-  #film: Film;
-  #errorPass: ErrorPass;
-  #progress: Progress;
-  /** Taken when the accumulation starts, so that a pass is of one piece whatever changes meanwhile. */
-  #shared: SharedUniforms;
+  #accumulation: Accumulation;
   #display: Display | Promise<void> | undefined;
 
   /** The film must be cleared before the next sample, because what it shows has changed. */
@@ -108,13 +100,12 @@ export class PathTracer {
     this.#failure ??= error;
   };
   /** Does GPU work. What the device says against it ends this tracer alone: a bug of ours, or a device out of memory. Not nested: the cause comes first. */
-  readonly #guarded = <T>(work: () => T): T => {
+  readonly #guarded: Guard = (work) => {
     const { value, error } = scoped(this.device, work);
     void error.then((failure) => failure && this.#fail(failure));
     return value;
   };
   #disposed = false;
-  #errorChecks = new ErrorChecks();
   /** What the pace was learned from: while it stays, so does the pace. */
   #paced: readonly unknown[] = [];
   /** The program whose values, as constants, made it no quicker. */
@@ -170,17 +161,15 @@ export class PathTracer {
     this.#camera = scene.camera;
     this.#compiled = compiled;
     this.#program = program;
-    this.#errorPipeline = errorPipeline;
     this.#geometry = geometry?.upload(device); // first: it throws where there is no room for it
     this.#inFlight = new InFlight(device);
-    this.#film = new Film(device, width, height);
-    this.#progress = new Progress(width, height);
-    this.#errorPass = new ErrorPass(device, errorPipeline, this.#film);
-    this.#trace = this.#createTrace();
-    this.#shared = this.#sharedUniforms(width, height);
-    this.#baked = new Baked(device);
     this.#meter = new Meter(adapterName(device));
     this.#meter.useProgram(program);
+    const [inFlight, meter] = [this.#inFlight, this.#meter];
+    this.#surroundings = { device, guard: this.#guarded, errorPipeline, inFlight, meter };
+    this.#accumulation = new Accumulation(this.#surroundings, this.#sharedUniforms(width, height));
+    this.#trace = this.#createTrace();
+    this.#baked = new Baked(device);
   }
 
   /** Speed, error and what is compiled; one object, kept up to date. */
@@ -205,12 +194,12 @@ export class PathTracer {
 
   /** Of the film, in pixels. */
   get width(): number {
-    return this.#film.width;
+    return this.#accumulation.film.width;
   }
 
   /** Of the film, in pixels. */
   get height(): number {
-    return this.#film.height;
+    return this.#accumulation.film.height;
   }
 
   /** The linked shader that runs now, and what it contains. */
@@ -248,12 +237,10 @@ export class PathTracer {
   resize(width: number, height: number): void {
     if (this.#disposed || (width === this.width && height === this.height)) return;
     checkFilmSize(this.device, width, height);
-    this.#film.dispose();
-    this.#errorPass.dispose();
+    this.#accumulation.dispose();
     this.#trace.dispose();
     this.#guarded(() => {
-      this.#film = new Film(this.device, width, height);
-      this.#errorPass = new ErrorPass(this.device, this.#errorPipeline, this.#film);
+      this.#accumulation = new Accumulation(this.#surroundings, this.#sharedUniforms(width, height));
       this.#trace = this.#createTrace();
     });
     this.#restart();
@@ -295,14 +282,14 @@ export class PathTracer {
     if (this.#disposed) return;
     if (this.#stale) this.#restart();
     if (count >= BAKE_SAMPLES) await this.compile();
-    const end = Math.min(this.#progress.samples + count, sampleLimit(this.#settings));
-    while (this.#progress.samples < end && !this.stats.converged && !this.#disposed && this.#failure === undefined) {
-      const samples = Math.min(end - this.#progress.samples, this.#allowedSamples);
+    const end = Math.min(this.#accumulation.samples + count, sampleLimit(this.#settings));
+    const isWanted = () => this.#accumulation.samples < end && !this.stats.converged;
+    while (isWanted() && !this.#disposed && this.#failure === undefined) {
+      const samples = Math.min(end - this.#accumulation.samples, this.#accumulation.allowedSamples(this.#settings));
       // The first work says how much is right for the next.
       const isBusy = this.#inFlight.isFull || !(this.#meter.pace.isKnown || this.#inFlight.isEmpty);
-      if (samples > 0 && !isBusy) {
-        this.#work(BATCH_BUDGET_MS, samples, end, false).catch(this.#fail);
-      } else if (!this.#inFlight.isEmpty) await this.#inFlight.any();
+      if (samples > 0 && !isBusy) this.#work({ budgetMs: BATCH_BUDGET_MS, samples, end, isWatched: false });
+      else if (!this.#inFlight.isEmpty) await this.#inFlight.any();
       else break; // maxSamples has come down
     }
     await this.#inFlight.all();
@@ -372,16 +359,13 @@ export class PathTracer {
     if (this.#failure !== undefined) throw this.#failure;
     if (this.#disposed || this.#inFlight.isFull || this.#geometry?.filling) return false;
     // Finish the first pass of what is shown before following a moving camera, or a slow adapter would never show any.
-    const isFirstPass = this.#progress.samples === 0 && !this.#progress.isBalanced;
-    if (this.#stale && !isFirstPass) this.#restart();
+    if (this.#stale && !this.#accumulation.isInFirstPass) this.#restart();
     const { samplesPerFrame } = this.#settings;
-    const samples = Math.min(
-      samplesPerFrame === "auto" ? Number.POSITIVE_INFINITY : samplesPerFrame,
-      this.#allowedSamples,
-    );
+    const most = samplesPerFrame === "auto" ? Number.POSITIVE_INFINITY : samplesPerFrame;
+    const samples = Math.min(most, this.#accumulation.allowedSamples(this.#settings));
     if (this.stats.converged || samples <= 0) return false;
     if (!this.#installing && performance.now() - this.#restartedAt > REST_MS) this.compile().catch(this.#fail);
-    this.#work(FRAME_BUDGET_MS, samples, sampleLimit(this.#settings), true).catch(this.#fail);
+    this.#work({ budgetMs: FRAME_BUDGET_MS, samples, end: sampleLimit(this.#settings), isWatched: true });
     return true;
   }
 
@@ -393,14 +377,14 @@ export class PathTracer {
    * @throws {UnsupportedError} if the canvas is larger than a texture of the device.
    */
   present(context: GPUCanvasContext, view: View = {}): boolean {
-    if (this.#disposed || this.#progress.samples === 0) return false;
+    if (this.#disposed || this.#accumulation.samples === 0) return false;
     this.#meter.countFrame();
     if (!(this.#display instanceof Display)) {
       this.#display ??= this.#createDisplay(context.getConfiguration()!.format).catch(this.#fail);
       return false;
     }
     const display = this.#display;
-    this.#guarded(() => display.draw(this.#film, context.getCurrentTexture(), view));
+    this.#guarded(() => display.draw(this.#accumulation.film, context.getCurrentTexture(), view));
     return true;
   }
 
@@ -413,10 +397,9 @@ export class PathTracer {
     this.#trace.dispose();
     this.#geometry?.dispose();
     this.#baked.drop();
-    this.#errorPass.dispose();
     this.#picker?.dispose();
     this.#inFlight.dispose();
-    this.#film.dispose();
+    this.#accumulation.dispose();
     if (this.#display instanceof Display) this.#display.dispose();
     if (this.#ownsDevice) this.device.destroy();
   }
@@ -429,7 +412,7 @@ export class PathTracer {
 
   #filmToRead(): Film {
     if (this.#disposed) throw new RtViewerError("the path tracer has been disposed of: it has no picture any more");
-    return this.#film;
+    return this.#accumulation.film;
   }
 
   /** Shows something else, once its geometry is sorted and a program that fits it is compiled. A newer call overtakes an older one. */
@@ -491,12 +474,12 @@ export class PathTracer {
   };
 
   get #bakeable(): Bakeable {
-    return { geometry: this.#geometry, film: this.#film, bake: () => this.#compiled.atRest(this.#camera) };
+    return { geometry: this.#geometry, film: this.#accumulation.film, bake: () => this.#compiled.atRest(this.#camera) };
   }
 
   #createTrace(): TracePass {
     const { pipelines } = this.#program;
-    return new TracePass(this.device, pipelines, this.#compiled.uniform, this.#geometry, this.#film);
+    return new TracePass(this.device, pipelines, this.#compiled.uniform, this.#geometry, this.#accumulation.film);
   }
 
   /** Whether a program with the scene's values as constants is to take the place of the one that runs. */
@@ -518,29 +501,21 @@ export class PathTracer {
   };
 
   #restart(): void {
-    this.#guarded(() => this.#startAnew());
-  }
-
-  #startAnew(): void {
     this.#stale = false;
     this.#restartedAt = performance.now();
-    this.#shared = this.#sharedUniforms(this.width, this.height);
-    this.#startPace();
-    this.#trace.writeScene(this.#compiled.uniform);
-    if (this.#settings.constants) this.#baked.change(this.#bakeable);
-    else this.#baked.drop();
+    const shared = this.#sharedUniforms(this.width, this.height);
+    this.#startPace(shared);
+    this.#guarded(() => {
+      this.#trace.writeScene(this.#compiled.uniform);
+      if (this.#settings.constants) this.#baked.change(this.#bakeable);
+      else this.#baked.drop();
+    });
     this.#meter.useProgram(this.program);
-    this.#progress = new Progress(this.width, this.height);
-    this.#errorChecks = new ErrorChecks();
-    this.#meter.restart(this.#settings);
-    const encoder = this.device.createCommandEncoder({ label: "restart" });
-    this.#film.clear(encoder);
-    this.device.queue.submit([encoder.finish()]);
+    this.#accumulation.restart(shared, this.#settings);
   }
 
   /** Forgets what the pace was, unless what was measured still tells of what is shown now. */
-  #startPace(): void {
-    const { maxBounces, lightSamples } = this.#shared;
+  #startPace({ maxBounces, lightSamples }: SharedUniforms): void {
     const [compiled, program, geometry] = [this.#compiled, this.#program, this.#geometry];
     const mayGrowLong = (maxBounces + 1) * (lightSamples + 1) > FEW_RAYS;
     const paced = [program, geometry, maxBounces, lightSamples, mayGrowLong && compiled];
@@ -549,48 +524,9 @@ export class PathTracer {
     this.#meter.pace = new Pace(firstPathsFor(compiled, geometry?.source, maxBounces, lightSamples));
   }
 
-  /** Samples per pixel that may be taken now. */
-  get #allowedSamples(): number {
-    const { samples } = this.#progress;
-    const { targetError } = this.#settings;
-    return Math.min(sampleLimit(this.#settings), this.#errorChecks.allowedSamples(samples, targetError)) - samples;
-  }
-
-  /**
-   * Submits work, and resolves when the device is done with it. There must be a free readback.
-   *
-   * @param samples - per pixel, at most.
-   * @param end - samples per pixel after which the error is wanted in any case.
-   * @param isWatched - see `WorkLimits`.
-   */
-  #work(budgetMs: number, samples: number, end: number, isWatched: boolean): Promise<void> {
-    const readback = this.#inFlight.freeReadback;
-    const progress = this.#progress;
-    const checks = this.#errorChecks;
-    const { pace } = this.#meter;
-    const limits = { paths: pace.pathsFor(budgetMs), samples, dispatchSamples: pace.dispatchSamples, isWatched };
-    const slices = takeSlices(progress, limits);
-    const taken = progress.samples;
-    const wantsError = checks.ask(taken, this.#settings.targetError, taken >= end, performance.now());
-
+  #work(portion: Portion): void {
     const trace = this.#baked.trace ?? this.#trace;
-    this.#guarded(() => {
-      const encoder = this.device.createCommandEncoder({ label: "sample" });
-      const frames = slices.map((slice) => ({ ...this.#shared, ...slice }));
-      trace.encode(encoder, frames, readback.timestampWrites);
-      if (wantsError) this.#errorPass.encode(encoder);
-      readback.encode(encoder, this.#film, wantsError ? this.#errorPass : undefined);
-      this.device.queue.submit([encoder.finish()]);
-    });
-
-    const submit = this.#meter.submit(slices.reduce((sum, { paths }) => sum + paths, 0));
-    return this.#inFlight.add(readback, submit.wakeAt - submit.at, wantsError, (report) => {
-      this.#meter.finish(submit, report);
-      if (progress !== this.#progress) return; // what it added is gone
-      if (wantsError) checks.report(taken);
-      this.#meter.count(taken, report);
-      this.#meter.updateConverged(this.#settings);
-    });
+    this.#accumulation.work(trace, portion, () => this.#settings).catch(this.#fail);
   }
 
   /** What the dispatches of one accumulation have in common, on a film of this size. */

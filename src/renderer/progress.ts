@@ -46,11 +46,6 @@ export class Progress {
     return this.#samples[0] + this.#samples[1];
   }
 
-  /** Whether no pass is under way and both halves hold equally many samples. */
-  get isBalanced(): boolean {
-    return this.isComplete && this.#samples[0] === this.#samples[1];
-  }
-
   /** Whether no pass is under way. */
   get isComplete(): boolean {
     return this.#pass === undefined;

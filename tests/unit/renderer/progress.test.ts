@@ -138,14 +138,6 @@ describe("halves", () => {
     const held = (half: 0 | 1) => slices.filter((s) => s.half === half).reduce((sum, s) => sum + s.sampleCount, 0);
     expect([held(0), held(1)]).toEqual([Math.ceil(target / 2), Math.floor(target / 2)]);
     expect(progress.samples).toBe(target);
-    expect(progress.isBalanced).toBe(target % 2 === 0);
-  });
-
-  test("are unbalanced while a pass is under way", () => {
-    const progress = film();
-    expect(progress.isBalanced).toBe(true);
-    progress.finish(progress.next(128, 1, 100));
-    expect(progress.isBalanced).toBe(false);
   });
 });
 

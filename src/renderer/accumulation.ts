@@ -1,0 +1,138 @@
+import { ErrorPass } from "../gpu/errorPass";
+import { Film } from "../gpu/film";
+import type { FrameUniforms, TracePass } from "../gpu/tracePass";
+import { ErrorChecks } from "./errorChecks";
+import type { InFlight } from "./inFlight";
+import type { Meter } from "./meter";
+import { Progress, type Slice } from "./progress";
+import { type Settings, sampleLimit } from "./settings";
+import { takeSlices } from "./takeSlices";
+
+/** What the dispatches of one accumulation have in common. */
+export type SharedUniforms = Omit<FrameUniforms, keyof Slice>;
+
+/** How much one submit may do. */
+export type Portion = {
+  /** Milliseconds of the device's work. */
+  readonly budgetMs: number;
+  /** Samples per pixel, at most. */
+  readonly samples: number;
+  /** Samples per pixel of the whole picture after which its error is wanted in any case. */
+  readonly end: number;
+  /** See `WorkLimits`. */
+  readonly isWatched: boolean;
+};
+
+/** Does GPU work, and takes care of what the device says against it. */
+export type Guard = <T>(work: () => T) => T;
+
+/** What an accumulation works with; all of it outlives it. */
+export type Surroundings = {
+  readonly device: GPUDevice;
+  readonly guard: Guard;
+  readonly errorPipeline: GPUComputePipeline;
+  readonly inFlight: InFlight;
+  readonly meter: Meter;
+};
+
+/** The samples of one picture: the film, what it holds, what comes next, and how wrong it is. */
+export class Accumulation {
+  readonly film: Film;
+  readonly #device: GPUDevice;
+  readonly #guard: Guard;
+  readonly #errorPass: ErrorPass;
+  readonly #inFlight: InFlight;
+  readonly #meter: Meter;
+  /** Taken when it starts, so that a pass is of one piece whatever changes meanwhile. */
+  #shared: SharedUniforms;
+  #progress: Progress;
+  #checks = new ErrorChecks();
+  #isDisposed = false;
+
+  /**
+   * Inside of an error scope: whoever needs it is told if it can't be made.
+   *
+   * @param shared - of the film's size.
+   */
+  constructor({ device, guard, errorPipeline, inFlight, meter }: Surroundings, shared: SharedUniforms) {
+    const [width, height] = [shared.size[0]!, shared.size[1]!];
+    this.film = new Film(device, width, height);
+    this.#errorPass = new ErrorPass(device, errorPipeline, this.film);
+    this.#device = device;
+    this.#guard = guard;
+    this.#inFlight = inFlight;
+    this.#meter = meter;
+    this.#shared = shared;
+    this.#progress = new Progress(width, height);
+  }
+
+  /** Samples per pixel that have been submitted, complete passes only. */
+  get samples(): number {
+    return this.#progress.samples;
+  }
+
+  /** Whether the first pass is under way. */
+  get isInFirstPass(): boolean {
+    return this.samples === 0 && !this.#progress.isComplete;
+  }
+
+  /** Empties the film, for another picture of the same size. */
+  restart(shared: SharedUniforms, settings: Settings): void {
+    this.#shared = shared;
+    this.#progress = new Progress(this.film.width, this.film.height);
+    this.#checks = new ErrorChecks();
+    this.#meter.restart(settings);
+    this.#guard(() => {
+      const encoder = this.#device.createCommandEncoder({ label: "restart" });
+      this.film.clear(encoder);
+      this.#device.queue.submit([encoder.finish()]);
+    });
+  }
+
+  /** Samples per pixel that may be taken now. */
+  allowedSamples(settings: Settings): number {
+    const allowed = this.#checks.allowedSamples(this.samples, settings.targetError);
+    return Math.min(sampleLimit(settings), allowed) - this.samples;
+  }
+
+  /**
+   * Submits work. There must be a free readback.
+   *
+   * @param settings - asked again when the work is done.
+   * @returns resolves when the device is done with it and the stats are up to date.
+   */
+  work(trace: TracePass, { budgetMs, samples, end, isWatched }: Portion, settings: () => Settings): Promise<void> {
+    const readback = this.#inFlight.freeReadback;
+    const progress = this.#progress;
+    const checks = this.#checks;
+    const { pace } = this.#meter;
+    const limits = { paths: pace.pathsFor(budgetMs), samples, dispatchSamples: pace.dispatchSamples, isWatched };
+    const slices = takeSlices(progress, limits);
+    const taken = progress.samples;
+    const wantsError = checks.ask(taken, settings().targetError, taken >= end, performance.now());
+
+    this.#guard(() => {
+      const encoder = this.#device.createCommandEncoder({ label: "sample" });
+      const frames = slices.map((slice) => ({ ...this.#shared, ...slice }));
+      trace.encode(encoder, frames, readback.timestampWrites);
+      if (wantsError) this.#errorPass.encode(encoder);
+      readback.encode(encoder, this.film, wantsError ? this.#errorPass : undefined);
+      this.#device.queue.submit([encoder.finish()]);
+    });
+
+    const submit = this.#meter.submit(slices.reduce((sum, { paths }) => sum + paths, 0));
+    return this.#inFlight.add(readback, submit.wakeAt - submit.at, wantsError, (report) => {
+      this.#meter.finish(submit, report);
+      if (progress !== this.#progress || this.#isDisposed) return; // what it added is gone
+      if (wantsError) checks.report(taken);
+      this.#meter.count(taken, report);
+      this.#meter.updateConverged(settings());
+    });
+  }
+
+  dispose(): void {
+    this.#isDisposed = true;
+    this.#errorPass.dispose();
+    this.film.dispose();
+  }
+}
