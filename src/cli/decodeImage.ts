@@ -7,6 +7,8 @@ import { checkPng } from "./checkPng";
 
 const MAX_JPEG_MEGABYTES = 2048;
 const MAX_JPEG_MEGAPIXELS = MAX_TEXELS / 1e6;
+/** Of a progressive JPEG, which has ten. Each goes through the whole picture, and can have as little as thirty bytes. */
+const MAX_JPEG_SCANS = 100;
 
 /**
  * Decodes PNG and JPEG in Node, as `DecodeImage` has it.
@@ -15,6 +17,7 @@ const MAX_JPEG_MEGAPIXELS = MAX_TEXELS / 1e6;
  */
 export async function decodeImage(bytes: Uint8Array, mimeType: string): Promise<DecodedImage> {
   if (mimeType === "image/jpeg") {
+    if (scanCount(bytes) > MAX_JPEG_SCANS) throw new RtViewerError(`has more than ${MAX_JPEG_SCANS} scans`);
     const { width, height, data } = decodeJpeg(bytes, {
       useTArray: true,
       maxMemoryUsageInMB: MAX_JPEG_MEGABYTES,
@@ -28,6 +31,13 @@ export async function decodeImage(bytes: Uint8Array, mimeType: string): Promise<
   if (palette !== undefined) return { width, height, texels: spread(convertIndexedToRgb(png), palette[0]!.length, 0) };
   if (depth < 8) throw new RtViewerError(`a PNG of ${depth} bits per value can be decoded in a browser only`);
   return { width, height, texels: spread(png.data, png.channels, depth - 8) };
+}
+
+/** At most: the two bytes that begin a scan can be in a comment too. */
+function scanCount(jpeg: Uint8Array): number {
+  let count = 0;
+  for (let i = jpeg.indexOf(0xff); i >= 0; i = jpeg.indexOf(0xff, i + 1)) if (jpeg[i + 1] === 0xda) count++;
+  return count;
 }
 
 /** Grey, grey and alpha, RGB or RGBA to RGBA. */

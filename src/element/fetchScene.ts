@@ -4,7 +4,7 @@ import type { LoadedScene } from "../loaders/loadedScene";
 
 /**
  * Reads a scene file of any kind that `loadScene` knows. What is in a JSON scene is not validated here: the tracer does
- * that, and lists every issue.
+ * that, and lists the issues.
  *
  * @param src - relative to `base`. What the file refers to is relative to the file.
  * @throws {RtViewerError} if the file cannot be fetched or read. An aborted fetch throws the signal's reason.

@@ -83,6 +83,13 @@ describe("a small file that would become a large picture", () => {
   });
 });
 
+test("a JPEG that goes through its picture a thousand times is refused", async () => {
+  const { data } = encodeJpeg({ width: 8, height: 8, data: new Uint8Array(256) }, 50);
+  const scan = data.subarray(data.lastIndexOf(Buffer.of(0xff, 0xda)), -2);
+  const file = Buffer.concat([data.subarray(0, -2), ...Array<Uint8Array>(1000).fill(scan), data.subarray(-2)]);
+  await expect(decodeImage(file, "image/jpeg")).rejects.toThrow("has more than 100 scans");
+});
+
 test("an interlaced PNG may have more rows than its height", async () => {
   // Adam7 of one column: passes 1, 3, 5 and 7 have rows of one texel, each after the byte of its filter.
   const rows = [0, 8, 4, 2, 6, 10, 1, 3, 5, 7, 9, 11];

@@ -30,6 +30,17 @@ test("another material or camera position needs no other geometry, another targe
   expect(await prepare(scene({ objects: moved }), before)).not.toBe(before);
 });
 
+test("the same texels in another array need no other geometry, a changed texel does", async () => {
+  const textured = (texels: Uint8Array) => scene({ textures: { t: { width: 2, height: 1, texels } } });
+  const texels = Uint8Array.of(1, 2, 3, 4, 5, 6, 7, 8);
+  const before = (await prepare(textured(texels)))!;
+  expect(before.data.texels).toEqual([texels]);
+  expect(await prepare(textured(texels.slice()), before)).toBe(before);
+  expect(await prepare(textured(new Uint8Array([0, ...texels]).subarray(1)), before)).toBe(before);
+  expect(await prepare(textured(Uint8Array.of(1, 2, 3, 4, 5, 6, 7, 9)), before)).not.toBe(before);
+  expect(await prepare(scene(), before)).not.toBe(before);
+});
+
 test("a mesh that begins to glow gets its table of triangles, and the tree stays", async () => {
   const before = (await prepare(scene()))!;
   const glowing = [meshObject(cube(), "glow"), scene().objects[1]!];
