@@ -6,8 +6,9 @@ import { deriveFeatures, describeFeatures, type Features, type ProgramSettings }
 import type { Geometry } from "./geometry";
 import { packScene } from "./packScene";
 import { primitivesOf, type Shape } from "./primitives";
+import { inSceneUnits } from "./sceneUnits";
 import { Literals, Slots } from "./values";
-import { subtract } from "./vec3";
+import { scale, subtract } from "./vec3";
 
 // maxUniformBufferBindingSize of every WebGPU device.
 const MAX_UNIFORM_BYTES = 65536;
@@ -22,12 +23,14 @@ export type CompiledScene = {
   /** Contents of `scene`: of a uniform buffer or, if stored, of a read-only storage buffer. */
   readonly uniform: ArrayBuffer;
   readonly isStored: boolean;
-  /** What rays can hit, relative to `origin`. */
+  /** What rays can hit, relative to `origin`, in units. */
   readonly shapes: readonly Shape[];
   /** Those of them that emit. */
   readonly lamps: readonly Shape[];
   /** The scene's point that is the shader's origin; subtract it from the camera's position. */
   readonly origin: Vec3;
+  /** The shader's unit of length, in metres: see `inSceneUnits`. */
+  readonly unit: number;
 };
 
 /**
@@ -40,11 +43,12 @@ export type CompiledScene = {
  * @param geometry - what `prepareGeometry` made of the scene.
  */
 export function compileScene(
-  scene: ResolvedScene,
+  given: ResolvedScene,
   settings: ProgramSettings,
   restingCamera?: ResolvedCamera,
   geometry?: Geometry,
 ): CompiledScene {
+  const { scene, unit } = inSceneUnits(given);
   // What the camera looks at is where digits matter. Subtracted in doubles, before anything is rounded to f32, it makes a
   // scene far from the world's origin as precise as one around it.
   const origin = scene.camera.target;
@@ -59,7 +63,7 @@ export function compileScene(
     settings,
   );
   const slots = new Slots();
-  const camera = restingCamera && subtract(restingCamera.position, origin);
+  const camera = restingCamera && scale(subtract(restingCamera.position, given.camera.target), 1 / unit);
   const textures = features.TEXTURES ? scene.textures : {}; // nobody may use them
   const textureCount = Object.keys(textures).length;
   const pack = () => packScene(primitives, emitters, geometry, environment, textures, slots.numbers);
@@ -78,6 +82,7 @@ export function compileScene(
     isStored: uniform.byteLength > MAX_UNIFORM_BYTES,
     shapes: primitives.map(({ shape }) => shape),
     lamps: primitives.filter(isEmissive).map(({ shape }) => shape),
-    origin,
+    origin: given.camera.target,
+    unit,
   };
 }

@@ -1,6 +1,6 @@
 import type { ResolvedLight, ResolvedScene, Rgb, Vec3 } from "../scene/schema";
 import type { Primitive, Shape } from "./primitives";
-import { add, cross, length, scale, subtract } from "./vec3";
+import { add, cross, length, normalize, scale, subtract } from "./vec3";
 
 /** Kinds of emitter, by their number in `wgsl/lights.wgsl`. */
 export const LIGHT_KINDS = { sphere: 0, quad: 1, triangle: 2, point: 3, mesh: 4 } as const;
@@ -18,6 +18,8 @@ export type Emitter = {
   readonly size: number;
   readonly edge1: Vec3;
   readonly edge2: Vec3;
+  /** Of the side that a quad or triangle shines to, unit; zero of other kinds. */
+  readonly normal: Vec3;
   /** Radiance; intensity of a point. */
   readonly radiance: Rgb;
   /** Index of the primitive that carries the emission; undefined for a point. */
@@ -68,7 +70,7 @@ export function isEmissive(primitive: Primitive): boolean {
   return primitive.material === "black" || sum(primitive.emission) > 0;
 }
 
-const NO_EDGES = { edge1: [0, 0, 0], edge2: [0, 0, 0] } as const;
+const NO_EDGES = { edge1: [0, 0, 0], edge2: [0, 0, 0], normal: [0, 0, 0] } as const;
 
 function surfaceEmitters(shape: Shape, radiance: Rgb, primitive: number): Emitter[] {
   switch (shape.kind) {
@@ -129,8 +131,11 @@ function flat(
   bound: Emitter["bound"],
   front?: Vec3,
 ): Emitter {
-  const size = length(cross(edge1, edge2)) * (kind === "quad" ? 1 : 0.5);
-  return { kind, position, size, edge1, edge2, radiance, primitive, strength: sum(radiance) * size, front, bound };
+  const area = cross(edge1, edge2);
+  const size = length(area) * (kind === "quad" ? 1 : 0.5);
+  const normal = size > 0 ? normalize(area) : area;
+  const strength = sum(radiance) * size;
+  return { kind, position, size, edge1, edge2, normal, radiance, primitive, strength, front, bound };
 }
 
 /** Corner and edges of each face, with edge1 × edge2 pointing out. */

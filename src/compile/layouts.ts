@@ -22,6 +22,7 @@ export const LIGHT = defineStruct({
   edge2: "vec3f",
   id: "u32",
   radiance: "vec3f",
+  normal: "vec3f",
 });
 
 /** What a primitive's textures multiply: `Factors` in `wgsl/textures.wgsl`. */

@@ -497,9 +497,10 @@ export class PathTracer {
   #sharedUniforms(): SharedUniforms {
     const { width, height } = this;
     const { seed, lightSamples, maxBounces = this.#scene.maxBounces } = this.#settings;
-    const basis = cameraBasis(this.#camera, this.#compiled.origin, width / height);
-    const view = rayStart(basis, this.#compiled.shapes);
-    const lamps = lampPixels(this.#compiled.lamps, basis, width, height);
+    const { origin, unit, shapes, lamps: emissive } = this.#compiled;
+    const basis = cameraBasis(this.#camera, origin, width / height, unit);
+    const view = rayStart(basis, shapes);
+    const lamps = lampPixels(emissive, basis, width, height);
     return { ...view, ...lamps, size: [width, height], seed, maxBounces, lightSamples };
   }
 }
