@@ -7,9 +7,10 @@ import type { Geometry } from "./geometry";
 import { lampsOf } from "./lampWindow";
 import { bytesOf, packScene, packTables, tablesOf } from "./packScene";
 import { primitivesOf, type Shape } from "./primitives";
+import { inSceneUnits } from "./sceneUnits";
 import { unrollingOf } from "./unrolling";
 import { Literals, Slots } from "./values";
-import { subtract } from "./vec3";
+import { scale, subtract } from "./vec3";
 
 // maxUniformBufferBindingSize of every WebGPU device.
 const MAX_UNIFORM_BYTES = 65536;
@@ -23,11 +24,12 @@ const MAX_UNIFORM_BYTES = 65536;
  * @param geometry - what `prepareGeometry` made of the scene.
  */
 export function compileScene(
-  scene: ResolvedScene,
+  given: ResolvedScene,
   settings: ProgramSettings,
   restingCamera?: ResolvedCamera,
   geometry?: Geometry,
 ): CompiledScene {
+  const { scene, unit } = inSceneUnits(given);
   // What the camera looks at is where digits matter. Subtracted in doubles, before anything is rounded to f32, it makes a
   // scene far from the world's origin as precise as one around it.
   const origin = scene.camera.target;
@@ -47,7 +49,8 @@ export function compileScene(
   const parts = { primitives, emitters, unrolling, features, tables, geometry };
   const compiled = new CompiledScene({
     ...parts,
-    origin,
+    origin: given.camera.target,
+    unit,
     packed: packTables(tables),
     description: describeFeatures(primitives, emitters, features),
     shapes: primitives.map(({ shape }) => shape),
@@ -61,6 +64,7 @@ export function compileScene(
 /** What the two programs of a scene have in common. */
 type Shared = SceneParts & {
   readonly origin: Vec3;
+  readonly unit: number;
   /** The bytes of its tables. */
   readonly packed: readonly ArrayBuffer[];
   readonly description: readonly string[];
@@ -80,7 +84,7 @@ export class CompiledScene {
   /** Contents of `scene`: of a uniform buffer or, if stored, of a read-only storage buffer. */
   readonly uniform: ArrayBuffer;
   readonly isStored: boolean;
-  /** What rays can hit, relative to `origin`. */
+  /** What rays can hit, relative to `origin`, in units. */
   readonly shapes: readonly Shape[];
   /** Those of them that emit; one box around them where they are many. */
   readonly lamps: readonly Shape[];
@@ -88,6 +92,8 @@ export class CompiledScene {
   readonly lightCount: number;
   /** The scene's point that is the shader's origin; subtract it from the camera's position. */
   readonly origin: Vec3;
+  /** The shader's unit of length, in metres: see `inSceneUnits`. */
+  readonly unit: number;
   readonly #shared: Shared;
   /** The last one made, and the primitives that could block in it. */
   #atRest: { readonly blocking: string; readonly compiled: CompiledScene } | undefined;
@@ -109,6 +115,7 @@ export class CompiledScene {
     this.lamps = shared.lamps;
     this.lightCount = shared.lightCount;
     this.origin = shared.origin;
+    this.unit = shared.unit;
     this.#shared = shared;
   }
 
@@ -118,8 +125,8 @@ export class CompiledScene {
    * a moving camera costs next to nothing.
    */
   atRest(camera: ResolvedCamera): CompiledScene {
-    const { blockers, unrolling, origin } = this.#shared;
-    const position = subtract(camera.position, origin);
+    const { blockers, unrolling, origin, unit } = this.#shared;
+    const position = scale(subtract(camera.position, origin), 1 / unit);
     const ids = unrolling.unrolled.filter((id) => blockers.canBlock(id, position));
     const blocking = ids.join(" ");
     if (this.#atRest?.blocking !== blocking) {

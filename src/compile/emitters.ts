@@ -1,6 +1,6 @@
 import type { ResolvedLight, ResolvedScene, Rgb, Vec3 } from "../scene/schema";
 import type { Primitive, Shape } from "./primitives";
-import { add, cross, length, scale, subtract } from "./vec3";
+import { add, cross, length, normalize, scale, subtract } from "./vec3";
 
 /** Kinds of emitter, by their number in `wgsl/lights.wgsl`. */
 export const LIGHT_KINDS = { sphere: 0, quad: 1, triangle: 2, point: 3, mesh: 4 } as const;
@@ -18,6 +18,8 @@ export type Emitter = {
   readonly size: number;
   readonly edge1: Vec3;
   readonly edge2: Vec3;
+  /** Of the side that a quad or triangle shines to, unit; zero of other kinds. */
+  readonly normal: Vec3;
   /** Radiance; intensity of a point. */
   readonly radiance: Rgb;
   /** Index of the primitive that carries the emission; undefined for a point. */
@@ -57,8 +59,9 @@ function pointEmitter(light: ResolvedLight & { type: "point" }, origin: Vec3): W
     kind: "point",
     position,
     size: 0,
-    edge1: NO_EDGE,
-    edge2: NO_EDGE,
+    edge1: NO_VECTOR,
+    edge2: NO_VECTOR,
+    normal: NO_VECTOR,
     radiance,
     primitive: undefined,
     strength: sum(radiance),
@@ -72,7 +75,7 @@ export function isEmissive(primitive: Primitive): boolean {
   return primitive.material === "black" || sum(primitive.emission) > 0;
 }
 
-const NO_EDGE: Vec3 = [0, 0, 0];
+const NO_VECTOR: Vec3 = [0, 0, 0];
 
 function surfaceEmitters(shape: Shape, radiance: Rgb, primitive: number): Weighed[] {
   switch (shape.kind) {
@@ -120,8 +123,8 @@ function curved(
   strength: number,
   bound: Emitter["bound"],
 ): Weighed {
-  const [edge1, edge2] = [NO_EDGE, NO_EDGE];
-  return { kind, position, size, edge1, edge2, radiance, primitive, strength, front: undefined, bound };
+  const [edge1, edge2, normal] = [NO_VECTOR, NO_VECTOR, NO_VECTOR];
+  return { kind, position, size, edge1, edge2, normal, radiance, primitive, strength, front: undefined, bound };
 }
 
 function flat(
@@ -134,8 +137,11 @@ function flat(
   bound: Emitter["bound"],
   front?: Vec3,
 ): Weighed {
-  const size = length(cross(edge1, edge2)) * (kind === "quad" ? 1 : 0.5);
-  return { kind, position, size, edge1, edge2, radiance, primitive, strength: sum(radiance) * size, front, bound };
+  const area = cross(edge1, edge2);
+  const size = length(area) * (kind === "quad" ? 1 : 0.5);
+  const normal = size > 0 ? normalize(area) : area;
+  const strength = sum(radiance) * size;
+  return { kind, position, size, edge1, edge2, normal, radiance, primitive, strength, front, bound };
 }
 
 /** Corner and edges of each face, with edge1 × edge2 pointing out. */

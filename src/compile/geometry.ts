@@ -10,6 +10,7 @@ import { type MeshLamp, packLamps } from "./packLamps";
 import { haveSameTexels, texelParts } from "./packTexels";
 import type { Textures } from "./packTextures";
 import { packTree } from "./packTree";
+import { inSceneUnits } from "./sceneUnits";
 import { boundsOfShape, itemOf } from "./treeItems";
 import { treeShapesOf } from "./treeShapes";
 import { length, subtract } from "./vec3";
@@ -77,9 +78,10 @@ export type GeometryOptions = Pick<AsyncBuildOptions, "signal" | "onProgress"> &
  * @throws the reason of `signal`.
  */
 export async function prepareGeometry(
-  scene: ResolvedScene,
+  given: ResolvedScene,
   { previous, ...options }: GeometryOptions = {},
 ): Promise<Geometry | undefined> {
+  const { scene } = inSceneUnits(given);
   const origin = scene.camera.target;
   const meshes = meshesOf(scene);
   const treeShapes = treeShapesOf(scene, origin);

@@ -22,6 +22,7 @@ export const LIGHT = defineStruct({
   edge2: "vec3f",
   id: "u32",
   radiance: "vec3f",
+  normal: "vec3f",
 });
 
 /** A plane or a huge sphere that is not unrolled: `Unbounded` in the generated module; see `emitLoops.ts`. */

@@ -190,9 +190,9 @@ function anchorRow(shape: Shape): number[] {
 
 /** The emitters, as the shader's table wants them. */
 function lightRows(primitives: readonly Primitive[], emitters: readonly Emitter[], geometry: Geometry | undefined) {
-  return emitters.map(({ kind, position, size, edge1, edge2, radiance, primitive }) => {
+  return emitters.map(({ kind, position, size, edge1, edge2, normal, radiance, primitive }) => {
     const id = kind === "mesh" ? NO_PRIMITIVE : hitId(primitive, primitives.length, geometry);
-    return { position, size, edge1, edge2, radiance, kind: LIGHT_KINDS[kind], id };
+    return { position, size, edge1, edge2, normal, radiance, kind: LIGHT_KINDS[kind], id };
   });
 }
 

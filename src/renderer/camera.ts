@@ -6,7 +6,7 @@ import type { ResolvedCamera, Vec3 } from "../scene/schema";
 
 /** A pinhole camera as the shader wants it: the ray through image plane coordinates (x, y) runs along forward + x·right + y·up. */
 export type CameraBasis = {
-  /** Position relative to the compiled scene's origin. */
+  /** Position relative to the compiled scene's origin, in its units. */
   readonly origin: Vec3;
   /** Unit. */
   readonly forward: Vec3;
@@ -16,14 +16,14 @@ export type CameraBasis = {
   readonly up: Vec3;
 };
 
-/** Computed in doubles; `origin` is the compiled scene's, `aspect` width over height. */
-export function cameraBasis(camera: ResolvedCamera, origin: Vec3, aspect: number): CameraBasis {
+/** Computed in doubles; `origin` and `unit` are the compiled scene's, `aspect` width over height. */
+export function cameraBasis(camera: ResolvedCamera, origin: Vec3, aspect: number, unit = 1): CameraBasis {
   const { position, target, up, verticalFov } = camera;
   const forward = normalize(subtract(target, position));
   const right = normalize(cross(forward, up));
   const halfHeight = Math.tan((verticalFov * Math.PI) / 360);
   return {
-    origin: subtract(position, origin),
+    origin: scale(subtract(position, origin), 1 / unit),
     forward,
     right: scale(right, halfHeight * aspect),
     up: scale(cross(right, forward), halfHeight),

@@ -532,9 +532,10 @@ export class PathTracer {
   /** What the dispatches of one accumulation have in common, on a film of this size. */
   #sharedUniforms(width: number, height: number): SharedUniforms {
     const { seed, lightSamples, maxBounces = this.#scene.maxBounces } = this.#settings;
-    const basis = cameraBasis(this.#camera, this.#compiled.origin, width / height);
-    const view = rayStart(basis, this.#compiled.shapes);
-    const lamps = lampPixels(this.#compiled.lamps, basis, width, height);
+    const { origin, unit, shapes, lamps: emissive } = this.#compiled;
+    const basis = cameraBasis(this.#camera, origin, width / height, unit);
+    const view = rayStart(basis, shapes);
+    const lamps = lampPixels(emissive, basis, width, height);
     return { ...view, ...lamps, size: [width, height], seed, maxBounces, lightSamples };
   }
 }

@@ -73,14 +73,14 @@ export class Picker {
     if (this.#isDisposed) return undefined;
     const { scene, compiled, geometry, camera, width, height } = sight();
     if (programKey(compiled) !== key || geometry?.filling) return this.#trace(sight, x, y);
-    const { forward, right, up, ...basis } = cameraBasis(camera, compiled.origin, width / height);
+    const { forward, right, up, ...basis } = cameraBasis(camera, compiled.origin, width / height, compiled.unit);
     const direction = normalize(add(forward, add(scale(right, x), scale(up, y))));
     // A picture of one pixel, with the point in its middle.
     const narrow = { ...basis, forward: direction, right: [0, 0, 0], up: [0, 0, 0] } as const;
     const start = rayStart(narrow, compiled.shapes);
     const found = await runPick(this.#device, pipeline, compiled.uniform, geometry, { ...ONE_PIXEL, ...start });
     if (found === undefined) return undefined;
-    const distance = start.near + found.t;
+    const distance = (start.near + found.t) * compiled.unit;
     return { ...partOf(scene, found.id), distance, position: add(camera.position, scale(direction, distance)) };
   }
 

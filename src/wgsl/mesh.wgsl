@@ -49,8 +49,10 @@ fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
   let e1 = edge1 / longest;
   let e2 = edge2 / longest;
   let area = cross(e1, e2);
-  let twiceArea = length(area);
-  let normal = area / twiceArea;
+  // Two of whose corners are one in f32, beside a third that is far off: any normal will do, and any point.
+  let isLine = all(abs(area) < vec3f(0x1p-60));
+  let twiceArea = select(length(area), 1.0, isLine);
+  let normal = select(area / twiceArea, -ray.d, isLine);
 
   // Barycentric coordinates of where the ray is, rid of its distance's rounding.
   let q = (ray.o + t * ray.d - item.a) / longest;

@@ -29,7 +29,10 @@ fn sampleMesh(p: vec3f, light: Light, u: vec2f, pick: vec2f) -> LightSample {
   let item = itemAt(slot);
   let edge1 = item.b - item.a;
   let edge2 = item.c - item.a;
-  let front = normalize(cross(edge1, edge2)) * select(1.0, -1.0, item.kind == TURNED_TRIANGLE);
+  // Unit edges first: no product of four lengths. Where two corners are one in f32, beside a third that is far off, it shines
+  // to no side.
+  let across = cross(normalize(edge1), normalize(edge2)) * select(1.0, -1.0, item.kind == TURNED_TRIANGLE);
+  let front = select(normalize(across), vec3f(0.0), all(abs(across) < vec3f(0x1p-60)));
   let at = squareToTriangle(u);
   var sample = fromArea(p, item.a + at.x * edge1 + at.y * edge2, front, light.size);
   sample.id = PRIMITIVES + slot;

@@ -179,6 +179,7 @@ describe("lights", () => {
         size: 8,
         radiance: [3, 2, 1],
         id: 1,
+        normal: [0, 0, 1],
       },
     ]);
   });

@@ -1,0 +1,68 @@
+import type { ResolvedObject, ResolvedScene, Vec3 } from "../scene/schema";
+import { length, scale, subtract } from "./vec3";
+
+// Scenes whose camera is between these powers of two from what it looks at keep the metre: products of three and four lengths
+// near it are well within f32.
+const METRE_STEPS = 16;
+
+// As in scene/numbers.ts, in units: nothing is seen of what is smaller, and no ray goes farther.
+const MAX_MAGNITUDE = 1e18;
+const MIN_SIZE = 1e-18;
+
+/** A scene in the shader's unit of length. */
+export type SceneInUnits = {
+  readonly scene: ResolvedScene;
+  /** Metres. */
+  readonly unit: number;
+};
+
+/**
+ * Measures a scene in a power of two that brings the camera about 1 from what it looks at, if a metre is far from that: products
+ * of lengths then stay within f32 for a scene of any size, and no digit changes. Radiances stay; powers go as length².
+ */
+export function inSceneUnits(scene: ResolvedScene): SceneInUnits {
+  const { camera, objects, lights } = scene;
+  const steps = Math.round(Math.log2(length(subtract(camera.position, camera.target))));
+  if (Math.abs(steps) <= METRE_STEPS) return { scene, unit: 1 };
+  const unit = 2 ** steps;
+  const point = (p: Vec3): Vec3 => [coordinate(p[0] / unit), coordinate(p[1] / unit), coordinate(p[2] / unit)];
+  const size = (x: number) => Math.min(Math.max(x / unit, MIN_SIZE), MAX_MAGNITUDE);
+  const inUnits = (object: ResolvedObject): ResolvedObject => {
+    switch (object.type) {
+      case "sphere":
+        return { ...object, center: point(object.center), radius: size(object.radius) };
+      case "plane":
+        return { ...object, point: point(object.point) };
+      case "quad": {
+        const { corner, edge1, edge2 } = object;
+        return { ...object, corner: point(corner), edge1: point(edge1), edge2: point(edge2) };
+      }
+      case "triangle": {
+        const [a, b, c] = object.vertices;
+        return { ...object, vertices: [point(a), point(b), point(c)] };
+      }
+      case "box": {
+        const [x, y, z] = object.size;
+        return { ...object, center: point(object.center), size: [size(x), size(y), size(z)] };
+      }
+      case "mesh":
+        return { ...object, positions: object.positions.map((x) => coordinate(x / unit)) };
+    }
+  };
+  return {
+    unit,
+    scene: {
+      ...scene,
+      camera: { ...camera, position: point(camera.position), target: point(camera.target) },
+      objects: objects.map(inUnits),
+      lights: lights.map((light) => {
+        const placed = { ...light, position: point(light.position), power: scale(light.power, unit ** -2) };
+        return placed.type === "sphere" ? { ...placed, radius: size(placed.radius) } : placed;
+      }),
+    },
+  };
+}
+
+function coordinate(x: number): number {
+  return Math.min(Math.max(x, -MAX_MAGNITUDE), MAX_MAGNITUDE);
+}
