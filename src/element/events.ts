@@ -32,7 +32,8 @@ export type ErrorDetail = {
 
 /**
  * `devicelost`: the browser took the GPU away. The element shows the same scene from the same camera again by itself, on a
- * new device: `ready` follows, or `error` where there is none any more.
+ * new device: `ready` follows, or `error` where there is none any more, or where the scene has lost the device five times in a
+ * row. `reset()`, or setting a scene, then tries again.
  */
 export type DeviceLostDetail = {
   /** What the browser says about it; may be "". */

@@ -1,4 +1,4 @@
-import { SceneError, WebGpuError } from "../errors";
+import { SceneError, UnsupportedError, WebGpuError } from "../errors";
 import { lossOf } from "../gpu/device";
 import type { View } from "../renderer/display";
 import { PathTracer, type SceneOptions } from "../renderer/pathTracer";
@@ -231,8 +231,9 @@ export class Stage {
         const { tracer } = this;
         await (tracer ? tracer.setScene(scene, options) : this.#open(scene, lease, options));
       } catch (error) {
-        // A mistake in the scene has nothing to do with the device, and is told at once.
-        if (signal.aborted || error instanceof SceneError || !(await lossOf(lease.device))) throw error;
+        // What is wrong with the scene has nothing to do with the device, and is told at once.
+        const isOfScene = error instanceof SceneError || error instanceof UnsupportedError;
+        if (signal.aborted || isOfScene || !(await lossOf(lease.device))) throw error;
       }
       if (signal.aborted || this.#lease !== lease || this.#view === undefined) continue;
       this.#applyAll(this.#view);

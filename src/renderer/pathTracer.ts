@@ -99,7 +99,10 @@ export class PathTracer {
   readonly #fail = (error: unknown): void => {
     this.#failure ??= error;
   };
-  /** Does GPU work. What the device says against it ends this tracer alone: a bug of ours, or a device out of memory. Not nested: the cause comes first. */
+  /**
+   * Does GPU work. What the device says against it ends this tracer alone: a bug of ours, or a device out of memory. Calls are
+   * not nested, so that errors come in the order of their causes.
+   */
   readonly #guarded: Guard = (work) => {
     const { value, error } = scoped(this.device, work);
     void error.then((failure) => failure && this.#fail(failure));

@@ -165,7 +165,14 @@ test("settings choose the estimator, the sampler and the loop over light samples
 test("the description names multiple scattering", () => {
   const materials = { it: { metallic: 1, multiscatter: true }, other: { metallic: 1 } };
   const { description } = compile(sceneOf([BALL("it"), BALL("other")], [], materials));
-  expect(description).toEqual(["2 × sphere", "GGX", "Smith masking", "multiple scattering", "Sobol points"]);
+  expect(description).toEqual([
+    "2 × sphere",
+    "GGX",
+    "Smith masking",
+    "multiple scattering",
+    "Sobol points",
+    "values in a buffer",
+  ]);
 });
 
 test("the description names what the shader contains, and counts it", () => {
@@ -183,5 +190,6 @@ test("the description names what the shader contains, and counts it", () => {
     "quad light",
     "2 × point light",
     "Sobol points",
+    "values in a buffer",
   ]);
 });

@@ -51,6 +51,14 @@ describe("a device out of memory", () => {
   });
 });
 
+it("a device that was lost is told from one that is missing", () => {
+  class GPUDeviceLostInfo {}
+  vi.stubGlobal("GPUDeviceLostInfo", GPUDeviceLostInfo);
+  expect(describeError(new WebGpuError("again", { cause: new GPUDeviceLostInfo() })).title).toBe("The GPU was lost");
+  expect(describeError(new WebGpuError("no adapter")).title).toBe("No picture without WebGPU");
+  vi.unstubAllGlobals();
+});
+
 describe("missingWebGpu", () => {
   it("has nothing to say where there is WebGPU", () => {
     expect(missingWebGpu({ hasGpu: true, isSecure: true })).toBeUndefined();
