@@ -9,7 +9,7 @@ const REPORT = new URL("stability.md", import.meta.url);
 const SECTIONS: readonly (readonly [title: string, ...files: string[]])[] = [
   ["Meeting surfaces", "edges", "mesh-leaks", "planes", "spheres"],
   ["Leaving surfaces", "spawn", "mesh-spawn", "rooms"],
-  ["Images", "invariance", "floor"],
+  ["Images", "invariance", "sizes", "floor", "telephoto"],
   ["Lights", "sphere-lights", "light-sampling"],
   ["The film", "film"],
   ["Scattering", "bsdf", "bsdf-finite", "bsdf-terms", "sampling", "multiscatter"],
