@@ -101,12 +101,12 @@ describe(`${SAMPLES} points, χ² with p > ${level.toExponential(1)}, seed 1,`, 
   });
 
   test.each(FLATS)("are uniform on the area of a $kind, $what", async ({ kind, corner, edges: [edge1, edge2] }) => {
-    const area = Math.hypot(...cross(edge1, edge2)) / (kind === "quad" ? 1 : 2);
+    const n = cross(edge1, edge2);
+    const area = Math.hypot(...n) / (kind === "quad" ? 1 : 2);
     const samples = await sample(
-      `samplePlanar(vec3f(0.0), Light(${vec3(corner)}, ${area.toExponential()}, ${vec3(edge1)}, QUAD_LIGHT, ${vec3(edge2)}, 0u, vec3f(1.0)), ${kind === "quad" ? "u" : "squareToTriangle(u)"})`,
+      `samplePlanar(vec3f(0.0), Light(${vec3(corner)}, ${area.toExponential()}, ${vec3(edge1)}, QUAD_LIGHT, ${vec3(edge2)}, 0u, vec3f(1.0), ${vec3(scale(n, 1 / Math.hypot(...n)))}), ${kind === "quad" ? "u" : "squareToTriangle(u)"})`,
       randomPairs(1),
     );
-    const n = cross(edge1, edge2);
     const coordinates = samples.map(({ wi, distance }): [number, number] => {
       const q = subtract(scale(wi, distance), corner);
       return [dot(cross(q, edge2), n) / dot(n, n), dot(cross(edge1, q), n) / dot(n, n)];
