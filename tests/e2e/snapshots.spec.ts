@@ -16,7 +16,7 @@ test("toBlob, screenshot, readRadiance and pick outlive sizes, scales, moves, re
   const [viewer, neighbour] = [page.locator("#viewer"), page.locator("#neighbour")];
   await waitForSamples(neighbour, 1);
   const seen = await page.evaluate(async () => {
-    const ROUNDS = 40;
+    const ROUNDS = 24;
     const viewer = document.querySelector<RtViewerElement>("#viewer")!;
     const outcomes = { fulfilled: 0, rejected: {} as Record<string, number>, foreign: [] as string[] };
     const refusal: unknown = await viewer.open(new Blob(["no scene"])).catch((error: unknown) => error);
@@ -79,7 +79,7 @@ test("toBlob, screenshot, readRadiance and pick outlive sizes, scales, moves, re
   });
   report("snapshot-storm", seen);
   expect(seen.foreign).toEqual([]);
-  expect(seen.fulfilled).toBeGreaterThan(100);
+  expect(seen.fulfilled).toBeGreaterThan(60);
   expect(await gpuErrorsOf(page)).toEqual({ uncaptured: [], captured: [] });
   for (const each of [viewer, neighbour]) {
     await waitForSamples(each, 2);

@@ -111,7 +111,7 @@ const HALVES = [
   (_: number, y: number) => y >= SIZE / 2,
 ];
 
-const POINTS = 4181; // a Fibonacci number
+const POINTS = 987; // a Fibonacci number
 
 /** Of each pixel, in doubles: to 10⁻³ where an edge runs through it. */
 function skyShares(scene: Scene): Float64Array {
