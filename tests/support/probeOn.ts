@@ -35,6 +35,8 @@ export type Probe = {
 };
 
 const WORKGROUP = 64;
+// Workgroups in a row of the dispatch, of which a device takes 65,535 at least in each direction.
+const ROW = 32768;
 // Beyond the bindings of the modules themselves.
 const INPUTS = 20;
 const OUTPUTS = 21;
@@ -92,7 +94,8 @@ export async function probeOn(
     { binding: OUTPUTS, resource: { buffer: output } },
   ];
   pass.setBindGroup(0, device.createBindGroup({ label: "probe", layout, entries }));
-  pass.dispatchWorkgroups(Math.ceil(count / WORKGROUP));
+  const groups = Math.ceil(count / WORKGROUP);
+  pass.dispatchWorkgroups(Math.min(groups, ROW), Math.ceil(groups / ROW));
   pass.end();
   encoder.copyBufferToBuffer(output, 0, staging, 0, bytes);
   device.queue.submit([encoder.finish()]);
@@ -110,7 +113,8 @@ function harness(count: number): string {
 
 @compute @workgroup_size(${WORKGROUP})
 fn main(@builtin(global_invocation_id) id: vec3u) {
-  if (id.x < ${count}u) { probe(id.x); }
+  let index = id.x + id.y * ${WORKGROUP * ROW}u;
+  if (index < ${count}u) { probe(index); }
 }
 `;
 }
