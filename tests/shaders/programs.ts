@@ -40,7 +40,7 @@ export const PRIMITIVES: Readonly<Record<string, SceneObject>> = {
   "a turned box": { type: "box", center: [0, 1, 0], size: [1, 2, 3], rotationY: 30, material: "m" },
 };
 
-const MATERIALS: Readonly<Record<string, Material>> = {
+export const MATERIALS: Readonly<Record<string, Material>> = {
   Lambert: { ior: 1 },
   plastic: {},
   "rough metal": { metallic: 1, roughness: 0.4 },
@@ -83,7 +83,7 @@ const ball = (i: number): SceneObject => {
 };
 
 /** Scenes of more than is written out in a program. */
-const CROWDS: Readonly<Record<string, { readonly objects: SceneObject[]; readonly lights: Light[] }>> = {
+export const CROWDS: Readonly<Record<string, { readonly objects: SceneObject[]; readonly lights: Light[] }>> = {
   "4,096 spheres in three materials": { objects: many(4096, ball), lights: LIGHTS["a point light"]! },
   "1,100 meshes in two materials": {
     objects: many(1100, (i) => {
@@ -170,22 +170,21 @@ export function describePrograms(settings: ProgramSettings): void {
   test.each(Object.keys(MATERIALS))(
     "a mesh of %s compiles without a warning, faceted, smooth and textured",
     async (name) => {
-      const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
-      const mesh = { type: "mesh", positions, indices: [0, 1, 2], material: "m" } as const;
-      const textured = { ...mesh, uvs: [0, 0, 1, 0, 0, 1] };
-      for (const object of [mesh, { ...mesh, normals: positions }, textured, { ...textured, normals: positions }]) {
-        const material = { ...MATERIALS[name]!, ...("uvs" in object && TEXTURES) };
-        const scene = sceneOf(
-          [object, PRIMITIVES["a sphere"]!],
-          { m: material, n: {} },
-          LIGHTS["lights of both kinds"]!,
-          [1, 1, 1],
-        );
-        const objects = scene.objects.map((each, i) => (i === 1 ? { ...each, material: "n" } : each));
-        await expectGood({ ...scene, objects, textures: { t: TEXTURE } }, settings);
-      }
+      for (const scene of meshScenes(MATERIALS[name]!)) await expectGood(scene, settings);
     },
   );
+}
+
+/** Of a mesh of a material, faceted, smooth and textured, and a sphere. */
+export function meshScenes(material: Material): Scene[] {
+  const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+  const mesh = { type: "mesh", positions, indices: [0, 1, 2], material: "m" } as const;
+  const textured = { ...mesh, uvs: [0, 0, 1, 0, 0, 1] };
+  return [mesh, { ...mesh, normals: positions }, textured, { ...textured, normals: positions }].map((object): Scene => {
+    const m = { ...material, ...("uvs" in object && TEXTURES) };
+    const objects = [object, { ...PRIMITIVES["a sphere"]!, material: "n" }];
+    return { ...sceneOf(objects, { m, n: {} }, LIGHTS["lights of both kinds"]!, [1, 1, 1]), textures: { t: TEXTURE } };
+  });
 }
 
 export function sceneOf(
