@@ -1,8 +1,8 @@
+import { add, dot, scale, subtract } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
 import type { Emitter } from "./emitters";
 import type { Primitive, Shape } from "./primitives";
 import { reachAlong } from "./reach";
-import { add, dot, scale, subtract } from "./vec3";
 
 /**
  * Tells which primitives can come between a shaded point and a light. A flat one cannot if everything that light sampling

@@ -1,8 +1,8 @@
+import { add, cross, dot, length, scale, subtract } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
 import { isInView } from "./lampWindow";
 import type { Shape } from "./primitives";
 import { reachAlong } from "./reach";
-import { add, cross, dot, length, scale, subtract } from "./vec3";
 
 /** A view: the ray through image plane coordinates (x, y) in [-1, 1] runs along forward + x·right + y·up, forward unit. */
 export type View = { readonly origin: Vec3; readonly forward: Vec3; readonly right: Vec3; readonly up: Vec3 };

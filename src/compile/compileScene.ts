@@ -1,3 +1,4 @@
+import { scale, subtract } from "../math/vec3";
 import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
 import { Blockers } from "./blockers";
 import { emitScene, type SceneParts } from "./emitScene";
@@ -10,7 +11,6 @@ import { primitivesOf, type Shape } from "./primitives";
 import { inSceneUnits } from "./sceneUnits";
 import { unrollingOf } from "./unrolling";
 import { Literals, Slots } from "./values";
-import { scale, subtract } from "./vec3";
 
 // maxUniformBufferBindingSize of every WebGPU device.
 const MAX_UNIFORM_BYTES = 65536;

@@ -1,5 +1,5 @@
+import { cross, length, scale } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
-import { cross, length, scale } from "./vec3";
 
 /** Vectors d1, d2 in the plane of the edges with d·(half edge) = 1 for their own and 0 for the other. */
 export function halfEdgeDuals(edge1: Vec3, edge2: Vec3, normal: Vec3): [Vec3, Vec3] {

@@ -1,10 +1,10 @@
 // Writes the parts of the shader module `scene` that go through the shapes of a table: planes and huge spheres, of which there are
 // too many to unroll them. No tree can hold them.
 
+import { subtract } from "../math/vec3";
 import { UNBOUNDED } from "./layouts";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
-import { subtract } from "./vec3";
 
 /** One of the tables, and how its rows are met. */
 type Table = { readonly name: string; readonly ids: readonly number[]; readonly distance: string };

@@ -1,6 +1,7 @@
 // Writes the shader module `scene`: the scene's own intersection functions, unrolled, and access to its tables.
 // Numbers come from validated scenes only and names from this file; no user text reaches WGSL.
 
+import { add, length, scale, subtract } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
 import type { StructFields, StructLayout } from "./defineStruct";
 import { halfEdgeDuals } from "./duals";
@@ -15,7 +16,6 @@ import { type Primitive, type Shape, unreachable } from "./primitives";
 import { dualWithRim, inCommonOrder, withRim } from "./rims";
 import type { Unrolling } from "./unrolling";
 import type { Row, RowType, Values } from "./values";
-import { add, length, scale, subtract } from "./vec3";
 
 /** What a scene is made of, as the shader sees it. */
 export type SceneParts = {

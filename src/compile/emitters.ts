@@ -1,6 +1,6 @@
+import { add, cross, length, normalize, scale, subtract } from "../math/vec3";
 import type { ResolvedLight, ResolvedScene, Rgb, Vec3 } from "../scene/schema";
 import type { Primitive, Shape } from "./primitives";
-import { add, cross, length, normalize, scale, subtract } from "./vec3";
 
 /** Kinds of emitter, by their number in `wgsl/lights.wgsl`. */
 export const LIGHT_KINDS = { sphere: 0, quad: 1, triangle: 2, point: 3, mesh: 4 } as const;

@@ -3,6 +3,7 @@
 
 import { type AsyncBuildOptions, buildBvhAsync } from "../bvh/buildInWorker";
 import { triangleBounds } from "../bvh/triangleBounds";
+import { length, subtract } from "../math/vec3";
 import type { ResolvedObject, ResolvedScene, Vec3 } from "../scene/schema";
 import type { BoundedPrimitive } from "./boundedShapes";
 import { packItems } from "./packItems";
@@ -13,7 +14,6 @@ import { packTree } from "./packTree";
 import { inSceneUnits } from "./sceneUnits";
 import { boundsOfShape, itemOf } from "./treeItems";
 import { treeShapesOf } from "./treeShapes";
-import { length, subtract } from "./vec3";
 
 // Triangles in a leaf of the tree, at most. The shader was as quick with 4 for 1,000 triangles, and 10 % slower for 100,000.
 const MAX_LEAF = 2;

@@ -1,9 +1,9 @@
+import { add, dot, length, scale, subtract } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
 import { extent } from "./blockers";
 import type { View } from "./clearDepth";
 import type { Shape } from "./primitives";
 import { reachAlong } from "./reach";
-import { add, dot, length, scale, subtract } from "./vec3";
 
 /** A rectangle of the image plane: [left, bottom, right, top], each in [-1, 1]. */
 export type Window = readonly [left: number, bottom: number, right: number, top: number];

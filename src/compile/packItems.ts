@@ -1,6 +1,6 @@
+import { NO_NORMAL, packDirections } from "../math/octahedral";
 import type { BoundedPrimitive } from "./boundedShapes";
 import type { MeshPart } from "./geometry";
-import { NO_NORMAL, packDirections } from "./octahedral";
 import { ITEM_KINDS, itemOf } from "./treeItems";
 
 const ITEM_WORDS = 12;

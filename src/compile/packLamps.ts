@@ -1,4 +1,4 @@
-import { aliasTable } from "./aliasTable";
+import { aliasTable } from "../math/aliasTable";
 import type { MeshPart } from "./geometry";
 
 const ENTRY_WORDS = 4;

@@ -1,3 +1,4 @@
+import { add, cross, length, scale, subtract } from "../math/vec3";
 import { dielectricF0 } from "../scene/metals";
 import type { ResolvedMaterial, Rgb } from "../scene/schema";
 import type { StructFields, StructLayout, StructValue } from "./defineStruct";
@@ -11,7 +12,6 @@ import { factorRows, hasTextures, type Textures, textureRows } from "./packTextu
 import { hasArea, type Primitive, type Shape } from "./primitives";
 import { towardsMiddle } from "./rims";
 import type { Unrolling } from "./unrolling";
-import { add, cross, length, scale, subtract } from "./vec3";
 
 const NO_PRIMITIVE = 0xffffffff;
 const VEC4_BYTES = 16;

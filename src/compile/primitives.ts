@@ -1,7 +1,7 @@
+import { cross, dot, length, normalize, scale, subtract } from "../math/vec3";
 import type { ResolvedLight, ResolvedMaterial, ResolvedObject, ResolvedScene, Rgb, Vec3 } from "../scene/schema";
 import type { Geometry, MeshPart } from "./geometry";
 import type { MeshLamp } from "./packLamps";
-import { cross, dot, length, normalize, scale, subtract } from "./vec3";
 
 export type Axis = "X" | "Y" | "Z";
 
@@ -91,16 +91,6 @@ function reachOf(scene: ResolvedScene, origin: Vec3): number {
 
 function sphereLights({ lights }: ResolvedScene) {
   return lights.flatMap((light) => (light.type === "sphere" ? [light] : []));
-}
-
-/** One of a scene's objects or lights, by its index there. */
-export type ScenePart = { readonly kind: "object" | "light"; readonly index: number };
-
-/** What a primitive of `primitivesOf` belongs to. */
-export function partOf({ objects, lights }: ResolvedScene, id: number): ScenePart {
-  if (id < objects.length) return { kind: "object", index: id };
-  const spheres = [...lights.keys()].filter((index) => lights[index]!.type === "sphere");
-  return { kind: "light", index: spheres[id - objects.length]! };
 }
 
 /** Radiance of a diffuse sphere that gives `power` watts: power / (4π²·radius²), by area × π. */

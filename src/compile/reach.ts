@@ -1,6 +1,6 @@
+import { dot } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
 import type { Shape } from "./primitives";
-import { dot } from "./vec3";
 
 /**
  * How far a shape reaches along a direction: the greatest dot(p − from, direction) over its points p, infinite for a plane. Of

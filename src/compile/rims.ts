@@ -1,7 +1,7 @@
 // What makes shapes that share an edge tight against each other in f32.
 
+import { length, scale } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
-import { length, scale } from "./vec3";
 
 /**
  * How far, as a share of the coordinates there, a shape's edge may lie from where it should: centre and size are rounded

@@ -1,5 +1,5 @@
+import { length, scale, subtract } from "../math/vec3";
 import type { ResolvedObject, ResolvedScene, Vec3 } from "../scene/schema";
-import { length, scale, subtract } from "./vec3";
 
 // Scenes whose camera is between these powers of two from what it looks at keep the metre: products of three and four lengths
 // near it are well within f32.

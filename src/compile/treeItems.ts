@@ -1,11 +1,11 @@
 // Shapes other than meshes as the tree has them.
 
+import { add, length, scale } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
 import type { BoundedShape } from "./boundedShapes";
 import { halfEdgeDuals } from "./duals";
 import { reachAlong } from "./reach";
 import { dualWithRim, inCommonOrder } from "./rims";
-import { add, length, scale } from "./vec3";
 
 /** What the shader's tree can hold, by its number in `wgsl/tree.wgsl`. A triangle of a mesh may be turned round. */
 export const ITEM_KINDS = { meshTriangle: 0, turnedTriangle: 1, triangle: 2, sphere: 3, quad: 4, box: 5 } as const;

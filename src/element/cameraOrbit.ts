@@ -1,4 +1,4 @@
-import { add, cross, dot, length, normalize, scale, subtract } from "../compile/vec3";
+import { add, cross, dot, length, normalize, scale, subtract } from "../math/vec3";
 import type { ResolvedCamera, Vec3 } from "../scene/schema";
 
 /** Where a camera stands around its target; `undefined` leaves a part as the scene has it. */

@@ -1,5 +1,5 @@
-import type { ScenePart } from "../compile/primitives";
 import type { PathTracer } from "../renderer/pathTracer";
+import type { ScenePart } from "../scene/parts";
 import type { Light, ResolvedScene, SceneObject } from "../scene/schema";
 import type { LoadProgressDetail } from "./loadProgress";
 

@@ -1,4 +1,4 @@
-import { add, length, scale, subtract } from "../compile/vec3";
+import { add, length, scale, subtract } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
 
 /** Of a radius, in metres and relative to the distance from the origin: two points this far apart are still two in doubles. */

@@ -1,6 +1,6 @@
 // What a bare model is shown with: a camera that has all of it in view, and the light of a photographer's table.
 
-import { add, cross, dot, normalize, scale, subtract } from "../compile/vec3";
+import { add, cross, dot, normalize, scale, subtract } from "../math/vec3";
 import type { Camera, Environment, Light, Material, SceneObject, Vec3 } from "../scene/schema";
 import type { Bounds } from "./bounds";
 

@@ -1,4 +1,4 @@
-import type { ScenePart } from "../compile/primitives";
+import type { ScenePart } from "../scene/parts";
 import type { ResolvedLight, ResolvedMaterial, ResolvedObject, ResolvedScene } from "../scene/schema";
 
 /** The same scene with another material of that name; for all objects that are made of it. */

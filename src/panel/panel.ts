@@ -1,5 +1,5 @@
-import type { ScenePart } from "../compile/primitives";
 import type { Stats } from "../renderer/stats";
+import type { ScenePart } from "../scene/parts";
 import type { ResolvedScene } from "../scene/schema";
 import { copier } from "./clipboard";
 import { formatFps, formatPercent } from "./format";

@@ -1,5 +1,5 @@
 import type { FolderApi, ListBladeApi } from "tweakpane";
-import type { ScenePart } from "../compile/primitives";
+import type { ScenePart } from "../scene/parts";
 import type { ResolvedScene } from "../scene/schema";
 import { nameOf, objectsOf, partsOf, withLight, withMaterial } from "./editScene";
 import { nameFields } from "./nameFields";

@@ -1,7 +1,7 @@
 import { clearDepth } from "../compile/clearDepth";
 import { lampWindow, shareOf } from "../compile/lampWindow";
 import type { Shape } from "../compile/primitives";
-import { add, cross, normalize, scale, subtract } from "../compile/vec3";
+import { add, cross, normalize, scale, subtract } from "../math/vec3";
 import type { ResolvedCamera, Vec3 } from "../scene/schema";
 
 /** A pinhole camera as the shader wants it: the ray through image plane coordinates (x, y) runs along forward + x·right + y·up. */

@@ -1,10 +1,10 @@
 import type { CompiledScene } from "../compile/compileScene";
 import { linkProgram } from "../compile/linkProgram";
-import { partOf, type ScenePart } from "../compile/primitives";
-import { add, normalize, scale } from "../compile/vec3";
 import { explainFailure } from "../gpu/device";
 import { createPickPipeline, type PickPipeline, runPick } from "../gpu/pickPass";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
+import { add, normalize, scale } from "../math/vec3";
+import { partOf, type ScenePart } from "../scene/parts";
 import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
 import { cameraBasis, rayStart } from "./camera";
 import { programKey } from "./program";

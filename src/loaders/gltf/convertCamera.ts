@@ -1,4 +1,4 @@
-import { add, cross, dot, length, normalize, scale, subtract } from "../../compile/vec3";
+import { add, cross, dot, length, normalize, scale, subtract } from "../../math/vec3";
 import type { Camera, Vec3 } from "../../scene/schema";
 import type { Bounds } from "../bounds";
 import type { Warnings } from "../warnings";

@@ -1,4 +1,4 @@
-import { length, scale, subtract } from "../../compile/vec3";
+import { length, scale, subtract } from "../../math/vec3";
 import type { Light } from "../../scene/schema";
 import type { Bounds } from "../bounds";
 import type { Warnings } from "../warnings";

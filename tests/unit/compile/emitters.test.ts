@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { type Emitter, emittersOf } from "../../../src/compile/emitters";
 import { primitivesOf } from "../../../src/compile/primitives";
-import { add, cross, length, normalize, scale, subtract } from "../../../src/compile/vec3";
+import { add, cross, length, normalize, scale, subtract } from "../../../src/math/vec3";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Light, Material, SceneObject, Vec3 } from "../../../src/scene/schema";

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import type { View } from "../../../src/compile/clearDepth";
 import { lampsOf, lampWindow, shareOf, type Window } from "../../../src/compile/lampWindow";
 import type { Shape } from "../../../src/compile/primitives";
-import { add, cross, dot, normalize, scale, subtract } from "../../../src/compile/vec3";
+import { add, cross, dot, normalize, scale, subtract } from "../../../src/math/vec3";
 import type { Vec3 } from "../../../src/scene/schema";
 import { createRandom, randomDirection } from "../../support/random";
 

@@ -1,7 +1,8 @@
 import { describe, expect, test } from "vitest";
-import { partOf, primitivesOf, type Shape } from "../../../src/compile/primitives";
+import { primitivesOf, type Shape } from "../../../src/compile/primitives";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
+import { partOf } from "../../../src/scene/parts";
 import type { SceneObject, Vec3 } from "../../../src/scene/schema";
 import { sceneOf } from "../../support/compiled";
 

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import { extent } from "../../../src/compile/blockers";
 import type { Shape } from "../../../src/compile/primitives";
 import { reachAlong } from "../../../src/compile/reach";
-import { add, dot, scale, subtract } from "../../../src/compile/vec3";
+import { add, dot, scale, subtract } from "../../../src/math/vec3";
 import type { Vec3 } from "../../../src/scene/schema";
 import { createRandom, randomDirection } from "../../support/random";
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { aliasTable } from "../../../src/compile/aliasTable";
+import { aliasTable } from "../../../src/math/aliasTable";
 import { createRandom } from "../../support/random";
 
 /** How often each entry is chosen, by the table. */

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { NO_NORMAL, packDirections } from "../../../src/compile/octahedral";
+import { NO_NORMAL, packDirections } from "../../../src/math/octahedral";
 import { createRandom, randomDirection } from "../../support/random";
 
 /** As `octahedral` in `wgsl/mesh.wgsl`. */
