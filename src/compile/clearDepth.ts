@@ -1,8 +1,9 @@
+import type { Ball } from "../lights/light";
 import { add, cross, dot, length, scale, subtract } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
+import type { Flat } from "../shapes/shape";
+import { hullOf, kindOf, reachAlong, type Shape } from "../shapes/shapes";
 import { isInView } from "./lampWindow";
-import type { Shape } from "./primitives";
-import { reachAlong } from "./reach";
 
 /** A view: the ray through image plane coordinates (x, y) in [-1, 1] runs along forward + x·right + y·up, forward unit. */
 export type View = { readonly origin: Vec3; readonly forward: Vec3; readonly right: Vec3; readonly up: Vec3 };
@@ -15,19 +16,21 @@ export function clearDepth(shapes: readonly Shape[], view: View): number {
   const backward = scale(view.forward, -1);
   let depth = Number.POSITIVE_INFINITY;
   for (const shape of shapes) {
-    const least = shape.kind === "plane" ? depthOfPlane(shape, view) : depthOf(shape, view, backward);
+    const nearest = -reachAlong(shape, backward, view.origin);
+    if (nearest >= depth) continue;
+    const hull = hullOf(shape);
+    if (hull === undefined) {
+      depth = Math.min(depth, depthOfPlane(kindOf(shape).plane(shape)!, view));
+      continue;
+    }
+    const least = "ball" in hull ? Math.max(nearest, ballDepth(hull.ball, view)) : nearest;
     // Whether a shape is in view takes longer to find out than whether it matters.
-    if (least < depth && (shape.kind === "plane" || isInView(shape, view))) depth = least;
+    if (least < depth && isInView(hull, view)) depth = least;
   }
   return Number.isFinite(depth) ? Math.max(depth, 0) * MARGIN : 0;
 }
 
-function depthOf(shape: Exclude<Shape, { kind: "plane" }>, view: View, backward: Vec3): number {
-  const depth = -reachAlong(shape, backward, view.origin);
-  return shape.kind === "sphere" ? Math.max(depth, ballDepth(shape, view)) : depth;
-}
-
-function depthOfPlane(plane: Shape & { kind: "plane" }, { origin, forward, right, up }: View): number {
+function depthOfPlane(plane: Flat, { origin, forward, right, up }: View): number {
   // Along the ray through (x, y) the plane lies at depth height / slope, and the slope is linear in x and y: the nearest
   // point in view is in a corner of the image.
   const height = dot(subtract(plane.point, origin), plane.normal);
@@ -43,7 +46,7 @@ function depthOfPlane(plane: Shape & { kind: "plane" }, { origin, forward, right
  * No ray of a view meets a ball at less depth. Of a planet whose horizon is far away the nearest point is not in view: what
  * comes nearest to its centre decides.
  */
-function ballDepth({ center, radius }: Shape & { kind: "sphere" }, { origin, forward, right, up }: View): number {
+function ballDepth({ center, radius }: Ball, { origin, forward, right, up }: View): number {
   const toCenter = subtract(center, origin);
   const distance = length(toCenter);
   if (distance <= radius) return 0;

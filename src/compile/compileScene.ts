@@ -1,13 +1,14 @@
 import { scale, subtract } from "../math/vec3";
 import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
+import type { Shape } from "../shapes/shapes";
 import { Blockers } from "./blockers";
 import { emitScene, type SceneParts } from "./emitScene";
-import { emittersOf, isEmissive } from "./emitters";
 import { deriveFeatures, describeFeatures, type Features, type ProgramSettings } from "./features";
 import type { Geometry } from "./geometry";
-import { lampsOf } from "./lampWindow";
+import { type Lamp, lampsOf } from "./lampWindow";
+import { lightsOfScene } from "./lights";
 import { bytesOf, packScene, packTables, tablesOf } from "./packScene";
-import { primitivesOf, type Shape } from "./primitives";
+import { isEmissive, primitivesOf } from "./primitives";
 import { inSceneUnits } from "./sceneUnits";
 import { unrollingOf } from "./unrolling";
 import { Literals, Slots } from "./values";
@@ -34,29 +35,29 @@ export function compileScene(
   // scene far from the world's origin as precise as one around it.
   const origin = scene.camera.target;
   const primitives = primitivesOf(scene, origin, geometry);
-  const emitters = emittersOf(scene, primitives, origin);
+  const lights = lightsOfScene(scene, primitives, origin);
   const environment = scene.environment.radiance;
   const features = deriveFeatures(
     primitives,
-    emitters,
+    lights,
     environment.some((value) => value > 0),
     geometry,
     settings,
   );
   const textures = features.TEXTURES ? scene.textures : {}; // nobody may use them
   const unrolling = unrollingOf(primitives, geometry);
-  const tables = tablesOf(primitives, emitters, unrolling, geometry, environment, textures);
-  const parts = { primitives, emitters, unrolling, features, tables, geometry };
+  const tables = tablesOf(primitives, lights, unrolling, geometry, environment, textures);
+  const parts = { primitives, lights, unrolling, features, tables, geometry };
   const compiled = new CompiledScene({
     ...parts,
     origin: given.camera.target,
     unit,
     packed: packTables(tables),
-    description: describeFeatures(primitives, emitters, features),
+    description: describeFeatures(primitives, lights, features),
     shapes: primitives.map(({ shape }) => shape),
     lamps: lampsOf(primitives.filter(isEmissive).map(({ shape }) => shape)),
-    lightCount: emitters.length,
-    blockers: new Blockers(primitives, emitters),
+    lightCount: lights.length,
+    blockers: new Blockers(primitives, lights),
   });
   return restingCamera ? compiled.atRest(restingCamera) : compiled;
 }
@@ -69,7 +70,7 @@ type Shared = SceneParts & {
   readonly packed: readonly ArrayBuffer[];
   readonly description: readonly string[];
   readonly shapes: readonly Shape[];
-  readonly lamps: readonly Shape[];
+  readonly lamps: readonly Lamp[];
   readonly lightCount: number;
   readonly blockers: Blockers;
 };
@@ -86,8 +87,8 @@ export class CompiledScene {
   readonly isStored: boolean;
   /** What rays can hit, relative to `origin`, in units. */
   readonly shapes: readonly Shape[];
-  /** Those of them that emit; one box around them where they are many. */
-  readonly lamps: readonly Shape[];
+  /** What holds those of them that emit. */
+  readonly lamps: readonly Lamp[];
   /** What light sampling chooses among. */
   readonly lightCount: number;
   /** The scene's point that is the shader's origin; subtract it from the camera's position. */

@@ -1,6 +1,6 @@
 // Writes the part of the shader module `scene` that chooses the light to sample.
 
-import type { Emitter } from "./emitters";
+import type { Light } from "../lights/light";
 import type { Features } from "./features";
 import type { Values } from "./values";
 
@@ -8,48 +8,48 @@ import type { Values } from "./values";
 const MAX_UNROLLED = 48;
 
 /** Whether the lights' bounds are in tables. */
-export function hasManyLights(emitters: readonly Emitter[]): boolean {
-  return emitters.length > MAX_UNROLLED;
+export function hasManyLights(lights: readonly Light[]): boolean {
+  return lights.length > MAX_UNROLLED;
 }
 
 /**
  * `chooseLight`: in proportion to the light that each one is expected to add to the surface, or evenly for the baseline
  * estimator; and `lightBoundOf`, which knows the balls around emissive primitives.
  */
-export function emitLightChoice(emitters: readonly Emitter[], features: Features, values: Values): string {
+export function emitLightChoice(lights: readonly Light[], features: Features, values: Values): string {
   const signature = "fn chooseLight(surface: Surface, u: vec2f) -> LightChoice";
-  if (emitters.length <= 1) return `${signature} {\n  return LightChoice(0u, u, 1.0, 1.0);\n}\n`;
+  if (lights.length <= 1) return `${signature} {\n  return LightChoice(0u, u, 1.0, 1.0);\n}\n`;
   if (!features.MANY_LIGHTS) {
-    const count = `${emitters.length}.0`;
+    const count = `${lights.length}.0`;
     return `${signature} {
   let x = u.x * ${count};
-  let index = min(u32(x), ${emitters.length - 1}u);
+  let index = min(u32(x), ${lights.length - 1}u);
   return LightChoice(index, vec2f(min(x - f32(index), 0x1.fffffep-1), u.y), 1.0 / ${count}, 1.0);
 }
 `;
   }
-  if (hasManyLights(emitters)) return emitLightLoop(emitters.length);
+  if (hasManyLights(lights)) return emitLightLoop(lights.length);
   // The faces of a box share a bound, and with it what is expected of them.
-  const groups = [...new Set(emitters.map(({ bound }) => bound))];
+  const groups = [...new Set(lights.map(({ bound }) => bound))];
   const bounds = groups.map(({ center, radius }) => `vec4f(${values.vec3(center)}, ${values.scalar(radius)})`);
   const shares = groups.map((group, k) => {
-    const { front } = emitters.find(({ bound }) => bound === group)!;
+    const { front } = lights.find(({ bound }) => bound === group)!;
     const call = front
       ? `flatLightShare(surface, ${bounds[k]}, ${values.vec3(front)})`
       : `lightShare(surface, ${bounds[k]})`;
     return `  let share${k} = ${call};\n`;
   });
-  const weights = emitters.map(({ strength, bound }) => `${values.scalar(strength)} * share${groups.indexOf(bound)}`);
+  const weights = lights.map(({ strength, bound }) => `${values.scalar(strength)} * share${groups.indexOf(bound)}`);
   const sums = weights.map((weight, i) => `  let sum${i} = ${i === 0 ? "" : `sum${i - 1} + `}${weight};\n`);
-  const steps = emitters.map((_, i) =>
+  const steps = lights.map((_, i) =>
     i === 0 ? "" : `  chosen = select(chosen, vec3f(${i}.0, sum${i - 1}, sum${i}), x >= sum${i - 1});\n`,
   );
   const lookups = groups.map((group, k) => {
-    const { primitive } = emitters.find(({ bound }) => bound === group)!;
+    const { primitive } = lights.find(({ bound }) => bound === group)!;
     return primitive === undefined ? "" : `  bound = select(bound, ${bounds[k]}, id == ${primitive}u);\n`;
   });
   return `${signature} {
-${shares.join("")}${sums.join("")}  let total = sum${emitters.length - 1};
+${shares.join("")}${sums.join("")}  let total = sum${lights.length - 1};
   let x = u.x * total;
   // Index, and where its share of total begins and ends.
   var chosen = vec3f(0.0, 0.0, sum0);

@@ -1,26 +1,24 @@
 // Writes the shader module `scene`: the scene's own intersection functions, unrolled, and access to its tables.
 // Numbers come from validated scenes only and names from this file; no user text reaches WGSL.
 
-import { add, length, scale, subtract } from "../math/vec3";
-import type { Vec3 } from "../scene/schema";
+import type { Light } from "../lights/light";
+import type { EmittedShape } from "../shapes/shape";
+import { kindOf, type Shape } from "../shapes/shapes";
 import type { StructFields, StructLayout } from "./defineStruct";
-import { halfEdgeDuals } from "./duals";
 import { emitLightChoice, hasManyLights } from "./emitLights";
 import { emitBlockingLoops, emitClosestLoops, emitRowStruct, emitTableMembers } from "./emitLoops";
-import type { Emitter } from "./emitters";
 import type { Features } from "./features";
 import type { Geometry } from "./geometry";
 import { LIGHT, MATERIAL } from "./layouts";
 import type { Tables } from "./packScene";
-import { type Primitive, type Shape, unreachable } from "./primitives";
-import { dualWithRim, inCommonOrder, withRim } from "./rims";
+import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
 import type { Row, RowType, Values } from "./values";
 
 /** What a scene is made of, as the shader sees it. */
 export type SceneParts = {
   readonly primitives: readonly Primitive[];
-  readonly emitters: readonly Emitter[];
+  readonly lights: readonly Light[];
   readonly unrolling: Unrolling;
   readonly features: Features;
   readonly tables: Tables;
@@ -36,20 +34,20 @@ export type SceneParts = {
  * buffer, being too many for a uniform.
  */
 export function emitScene(
-  { primitives, emitters, unrolling, features, tables, geometry }: SceneParts,
+  { primitives, lights, unrolling, features, tables, geometry }: SceneParts,
   values: Values,
   blocks: (id: number) => boolean,
   packed: () => { readonly slotCount: number; readonly isStored: boolean },
 ): string {
-  const sampled = new Set(emitters.map((emitter) => emitter.primitive));
-  const emitted = unrolling.unrolled.map((id) => ({ id, ...emitPrimitive(primitives[id]!.shape, id, values) }));
+  const sampled = new Set(lights.map((light) => light.primitive));
+  const emitted = unrolling.unrolled.map((id) => ({ id, ...emitShape(primitives[id]!.shape, id, values) }));
   const shear = features.TRIANGLES ? "  let shear = shearOf(ray);\n" : "";
 
   const closest = emitted.map(({ id, distance }) => `  hit = nearer(hit, ${distance}, ${id}u, ray);\n`).join("");
   const blockers = emitted
     .map(({ id, distance }) => {
       const isTarget = sampled.has(id);
-      if (isTarget && emitters.length === 1) return ""; // a light never hides itself
+      if (isTarget && lights.length === 1) return ""; // a light never hides itself
       if (!blocks(id)) return "";
       const other = isTarget ? ` & (target_ != ${id}u)` : "";
       return `  blocked |= between(${distance}, distance, ${id}u, ray)${other};\n`;
@@ -60,7 +58,7 @@ export function emitScene(
     .join("");
 
   const textureCount = tables.textures.length;
-  const lightChoice = emitLightChoice(emitters, features, values);
+  const lightChoice = emitLightChoice(lights, features, values);
   const { slotCount, isStored } = packed();
 
   return `
@@ -85,8 +83,8 @@ struct Scene {
   shapes: array<vec4f, ${Math.max(primitives.length, 1)}>,
   // See anchorRow in compile/packScene.ts.
   anchors: array<vec4f, ${Math.max(tables.anchors.length, 1)}>,
-  lights: array<Light, ${Math.max(emitters.length, 1)}>,
-${hasManyLights(emitters) ? lightMembers(emitters.length, primitives.length) : ""}${emitTableMembers(unrolling)}${textureCount > 0 ? textureMembers(primitives.length, textureCount) : ""}  // Values of the intersection functions below.
+  lights: array<Light, ${Math.max(lights.length, 1)}>,
+${hasManyLights(lights) ? lightMembers(lights.length, primitives.length) : ""}${emitTableMembers(unrolling)}${textureCount > 0 ? textureMembers(primitives.length, textureCount) : ""}  // Values of the intersection functions below.
   slots: array<vec4f, ${Math.max(slotCount, 1)}>,
 }
 
@@ -181,56 +179,8 @@ function lightField(field: string): string {
   return `light${field[0]!.toUpperCase()}${field.slice(1)}`;
 }
 
-type EmittedPrimitive = {
-  /** A WGSL expression for the distance at which `ray` meets the primitive; not positive for a miss. */
-  readonly distance: string;
-  /** One for the outward normal at `p`, where it is neither constant nor radial. */
-  readonly normal?: string;
-};
-
-function emitPrimitive(shape: Shape, id: number, values: Values): EmittedPrimitive {
-  switch (shape.kind) {
-    case "sphere":
-      if (shape.foot) {
-        const [foot, spoke] = [shape.foot, subtract(shape.foot, shape.center)].map((vector) => values.vec3(vector));
-        return { distance: `hugeSphereIntersect(ray, ${foot}, ${spoke}, ${id}u)` };
-      }
-      return { distance: `sphereIntersect(ray, ${values.vec3(shape.center)}, ${values.scalar(shape.radius)}, ${id}u)` };
-    case "plane": {
-      const { point, normal, axis } = shape;
-      if (axis) return { distance: `planeIntersect${axis}(ray, ${values.scalar(point["XYZ".indexOf(axis)]!)})` };
-      return { distance: `planeIntersect(ray, ${values.vec3(point)}, ${values.vec3(normal)})` };
-    }
-    case "quad": {
-      const { corner, edge1, edge2, normal, axis } = shape;
-      const halfDiagonal = scale(add(edge1, edge2), 0.5);
-      const middle = add(corner, halfDiagonal);
-      const center = values.vec3(middle);
-      if (axis) {
-        return { distance: `quadIntersect${axis}(ray, ${center}, ${values.vec3(withRim(halfDiagonal, middle))})` };
-      }
-      const duals = halfEdgeDuals(edge1, edge2, normal).map((dual) => dualWithRim(dual, middle)) as [Vec3, Vec3];
-      const frame = [normal, ...duals].map((vector) => values.vec3(vector)).join(", ");
-      const reach = values.scalar(Math.max(...duals.map(length)));
-      return { distance: `quadIntersect(ray, ${center}, ${frame}, ${reach})` };
-    }
-    case "triangle": {
-      const vertices = inCommonOrder(shape.vertices)
-        .map((vertex) => values.vec3(vertex))
-        .join(", ");
-      return { distance: `triangleIntersect(shear, ${vertices})` };
-    }
-    case "box": {
-      const { center, halfSize, turn = 0 } = shape;
-      const body = `${values.vec3(center)}, ${values.vec3(halfSize)}`;
-      const rotation = `vec2f(${values.scalar(Math.cos(turn))}, ${values.scalar(Math.sin(turn))})`;
-      const normal = `boxNormal(ray, p, ${body}, ${rotation}, ${id}u)`;
-      if (shape.turn === undefined) return { distance: `boxIntersect(ray, ${body}, ${id}u)`, normal };
-      return { distance: `turnedBoxIntersect(ray, ${body}, ${rotation}, ${id}u)`, normal };
-    }
-    case "mesh":
-      throw new TypeError("a mesh is in the tree");
-    default:
-      return unreachable(shape);
-  }
+function emitShape(shape: Shape, id: number, values: Values): EmittedShape {
+  const { emit } = kindOf(shape);
+  if (!emit) throw new TypeError(`a ${shape.kind} is never unrolled`);
+  return emit(shape, id, values);
 }

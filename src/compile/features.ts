@@ -1,7 +1,8 @@
+import type { Light } from "../lights/light";
 import { type ResolvedMaterial, TEXTURE_FIELDS, type TextureField } from "../scene/schema";
-import { type Emitter, isEmissive, type LightKind } from "./emitters";
+import { kindOf, type Shape } from "../shapes/shapes";
 import type { Geometry } from "./geometry";
-import { hasArea, type Primitive, type Shape } from "./primitives";
+import { isEmissive, type Primitive } from "./primitives";
 
 /** Which estimator and sampler to compile; the settings that shape the program. */
 export type ProgramSettings = {
@@ -16,7 +17,7 @@ export type Features = ReturnType<typeof deriveFeatures>;
 /** What the shader must be able to do for this scene. Derived, never configured. */
 export function deriveFeatures(
   primitives: readonly Primitive[],
-  emitters: readonly Emitter[],
+  lights: readonly Light[],
   hasEnvironment: boolean,
   geometry: Geometry | undefined,
   settings: ProgramSettings,
@@ -29,7 +30,7 @@ export function deriveFeatures(
   const NORMAL_TEXTURES = hasTexture("normalTexture");
   const isSmooth = geometry?.data.normals !== undefined;
   const inTree = (kind: Shape["kind"]) => geometry?.treeShapes.some(({ shape }) => shape.kind === kind) ?? false;
-  const hasLight = (kind: LightKind) => emitters.some((emitter) => emitter.kind === kind);
+  const hasLight = (kind: string) => lights.some((emitter) => emitter.kind === kind);
 
   const DIFFUSE = materials.length === 0 || materials.some(hasDiffuseLobe);
   const SPECULAR = specular.length > 0;
@@ -37,7 +38,8 @@ export function deriveFeatures(
     SPHERES: hasShape("sphere"),
     BOXES: hasShape("box"),
     TRIANGLES: primitives.some(
-      ({ shape }, id) => shape.kind === "triangle" && !geometry?.shapes.has(id) && hasArea(shape.vertices),
+      ({ shape }, id) =>
+        shape.kind === "triangle" && !geometry?.shapes.has(id) && kindOf(shape).meeting(shape) === "bounded",
     ),
     // Something is in the tree: triangles of meshes, other triangles, spheres, quads, boxes.
     TREE: geometry !== undefined,
@@ -68,16 +70,16 @@ export function deriveFeatures(
     EMISSION: primitives.some(isEmissive),
     SPHERE_EMITTERS: primitives.some((primitive) => primitive.shape.kind === "sphere" && isEmissive(primitive)),
     LAMPS: primitives.some(isEmissive) && settings.estimator === "path",
-    LIGHTS: emitters.length > 0,
+    LIGHTS: lights.length > 0,
     SPHERE_LIGHTS: hasLight("sphere"),
     QUAD_LIGHTS: hasLight("quad"),
     TRIANGLE_LIGHTS: hasLight("triangle"),
     POINT_LIGHTS: hasLight("point"),
     MESH_LIGHTS: hasLight("mesh"),
-    MANY_LIGHTS: emitters.length > 1 && settings.estimator === "path",
+    MANY_LIGHTS: lights.length > 1 && settings.estimator === "path",
     // Of those, some shine to one side only.
-    FLAT_LIGHTS: emitters.some(({ front }) => front !== undefined),
-    ONE_LIGHT_KIND: new Set(emitters.map((emitter) => emitter.kind)).size === 1,
+    FLAT_LIGHTS: lights.some(({ front }) => front !== undefined),
+    ONE_LIGHT_KIND: new Set(lights.map(({ kind }) => kind)).size === 1,
     ENVIRONMENT: hasEnvironment,
     SOBOL: settings.sampler === "sobol",
     UNIFORM: settings.estimator === "uniform",
@@ -117,13 +119,13 @@ export function alphaOf({ roughness }: ResolvedMaterial): number {
 /** The features in words, for people: what the compiled shader contains. */
 export function describeFeatures(
   primitives: readonly Primitive[],
-  emitters: readonly Emitter[],
+  lights: readonly Light[],
   features: Features,
 ): string[] {
   const shapes = new Map<string, number>();
   for (const { shape } of primitives) shapes.set(shape.kind, (shapes.get(shape.kind) ?? 0) + 1);
-  const lights = new Map<string, number>();
-  for (const { kind } of emitters) lights.set(kind, (lights.get(kind) ?? 0) + 1);
+  const lightCounts = new Map<string, number>();
+  for (const { kind } of lights) lightCounts.set(kind, (lightCounts.get(kind) ?? 0) + 1);
   const counted = (count: number, what: string) => (count === 1 ? what : `${count} × ${what}`);
   return [
     ...[...shapes].map(([kind, count]) => counted(count, kind)),
@@ -135,7 +137,7 @@ export function describeFeatures(
     ...(features.MULTISCATTER ? ["multiple scattering"] : []),
     ...(features.SMOOTH ? ["smooth normals"] : []),
     ...(features.TEXTURES ? ["textures"] : []),
-    ...[...lights].map(([kind, count]) => counted(count, `${kind} light`)),
+    ...[...lightCounts].map(([kind, count]) => counted(count, `${kind} light`)),
     ...(features.ENVIRONMENT ? ["environment"] : []),
     features.SOBOL ? "Sobol points" : "independent points",
     ...(features.UNIFORM ? ["uniform estimator"] : []),

@@ -5,14 +5,15 @@ import { type AsyncBuildOptions, buildBvhAsync } from "../bvh/buildInWorker";
 import { triangleBounds } from "../bvh/triangleBounds";
 import { length, subtract } from "../math/vec3";
 import type { ResolvedObject, ResolvedScene, Vec3 } from "../scene/schema";
+import { itemOf, kindOfObject } from "../shapes/shapes";
 import type { BoundedPrimitive } from "./boundedShapes";
+import { boundsOfShape } from "./boundsOfShape";
 import { packItems } from "./packItems";
-import { type MeshLamp, packLamps } from "./packLamps";
+import { type MeshLight, packMeshLights } from "./packMeshLights";
 import { haveSameTexels, texelParts } from "./packTexels";
 import type { Textures } from "./packTextures";
 import { packTree } from "./packTree";
 import { inSceneUnits } from "./sceneUnits";
-import { boundsOfShape, itemOf } from "./treeItems";
 import { treeShapesOf } from "./treeShapes";
 
 // Triangles in a leaf of the tree, at most. The shader was as quick with 4 for 1,000 triangles, and 10 % slower for 100,000.
@@ -54,7 +55,7 @@ export type Geometry = {
   readonly parts: readonly MeshPart[];
   /** Ids of those that emit, and, of those of them that have an area, where their triangles stand. */
   readonly emitting: readonly number[];
-  readonly lamps: ReadonlyMap<number, MeshLamp>;
+  readonly lights: ReadonlyMap<number, MeshLight>;
   readonly textures: Textures;
   /** `slotOf[item]`: where it lies in the tree's leaves. Items are the triangles of all meshes, then `treeShapes`. */
   readonly slotOf: Uint32Array;
@@ -89,7 +90,7 @@ export async function prepareGeometry(
   const emits = (object: MeshObject) => scene.materials[object.material]!.emission.some((value) => value > 0);
   const emitting = meshes.flatMap(({ object, id }) => (emits(object) ? [id] : []));
   if (previous && isSame(previous, meshes, treeShapes, origin) && haveSameTexels(previous.textures, scene.textures)) {
-    return areEqual(emitting, previous.emitting) ? previous : withLamps(previous, emitting);
+    return areEqual(emitting, previous.emitting) ? previous : withLights(previous, emitting);
   }
 
   let triangleCount = 0;
@@ -112,22 +113,26 @@ export async function prepareGeometry(
   const texels = texelParts(textures);
   const data = { nodes: packTree(bvh), ...packItems(parts, treeShapes, slotOf, texels !== undefined), texels };
   const { depth } = bvh;
-  return withLamps({ origin, parts, treeShapes, shapes, textures, slotOf, depth, data }, emitting);
+  return withLights({ origin, parts, treeShapes, shapes, textures, slotOf, depth, data }, emitting);
+}
+
+function isMesh(object: ResolvedObject): object is MeshObject {
+  return kindOfObject(object).isTriangles === true;
 }
 
 function meshesOf(scene: ResolvedScene): { object: MeshObject; id: number }[] {
-  return scene.objects.flatMap((object, id) => (object.type === "mesh" ? [{ object, id }] : []));
+  return scene.objects.flatMap((object, id) => (isMesh(object) ? [{ object, id }] : []));
 }
 
-type Unlit = Omit<Geometry, "emitting" | "lamps" | "data"> & {
+type Unlit = Omit<Geometry, "emitting" | "lights" | "data"> & {
   readonly data: Omit<GeometryData, "shiningTriangles">;
 };
 
-function withLamps(geometry: Unlit, emitting: readonly number[]): Geometry {
+function withLights(geometry: Unlit, emitting: readonly number[]): Geometry {
   const ids = new Set(emitting);
   const shining = geometry.parts.filter(({ id }) => ids.has(id));
-  const { lamps, table } = packLamps(shining, geometry.slotOf);
-  return { ...geometry, emitting, lamps, data: { ...geometry.data, shiningTriangles: table } };
+  const { lights, table } = packMeshLights(shining, geometry.slotOf);
+  return { ...geometry, emitting, lights, data: { ...geometry.data, shiningTriangles: table } };
 }
 
 function relative(positions: Float64Array, [x, y, z]: Vec3): Float32Array {

@@ -1,9 +1,8 @@
-import { add, dot, length, scale, subtract } from "../math/vec3";
+import { dot, length, scale, subtract } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
-import { extent } from "./blockers";
+import type { Hull } from "../shapes/shape";
+import { hullOf, reachAlong, type Shape } from "../shapes/shapes";
 import type { View } from "./clearDepth";
-import type { Shape } from "./primitives";
-import { reachAlong } from "./reach";
 
 /** A rectangle of the image plane: [left, bottom, right, top], each in [-1, 1]. */
 export type Window = readonly [left: number, bottom: number, right: number, top: number];
@@ -14,31 +13,34 @@ const EVERYTHING: Window = [-1, -1, 1, 1];
 // A window around each of more lamps than these, for every movement of the camera, would take more time than it saves.
 const MOST_LAMPS = 64;
 
-/** Shapes whose window is quick to find: those given or, of many, the box around them. */
-export function lampsOf(shapes: readonly Shape[]): readonly Shape[] {
-  if (shapes.length <= MOST_LAMPS) return shapes;
-  const plane = shapes.find(({ kind }) => kind === "plane");
-  return [plane ?? boxAround(shapes)];
+/** What holds a visible emitter; undefined for an infinite one. */
+export type Lamp = Hull | undefined;
+
+/** What holds the shapes that the camera may see emit, each for itself or, of many, together. */
+export function lampsOf(shapes: readonly Shape[]): readonly Lamp[] {
+  const hulls = shapes.map(hullOf);
+  if (hulls.includes(undefined)) return [undefined];
+  return hulls.length <= MOST_LAMPS ? hulls : [boxAround(shapes)];
 }
 
-function boxAround(shapes: readonly Shape[]): Shape {
+function boxAround(shapes: readonly Shape[]): Hull {
   const reach = (x: number, y: number, z: number) =>
     shapes.reduce((most, shape) => Math.max(most, reachAlong(shape, [x, y, z], [0, 0, 0])), Number.NEGATIVE_INFINITY);
-  const lower: Vec3 = [-reach(-1, 0, 0), -reach(0, -1, 0), -reach(0, 0, -1)];
-  const upper: Vec3 = [reach(1, 0, 0), reach(0, 1, 0), reach(0, 0, 1)];
-  const center = scale(add(lower, upper), 0.5);
-  return { kind: "box", center, halfSize: subtract(upper, center), turn: undefined };
+  const xs = [-reach(-1, 0, 0), reach(1, 0, 0)];
+  const ys = [-reach(0, -1, 0), reach(0, 1, 0)];
+  const zs = [-reach(0, 0, -1), reach(0, 0, 1)];
+  return { points: xs.flatMap((x) => ys.flatMap((y) => zs.map((z): Vec3 => [x, y, z]))) };
 }
 
 /** A part of the image outside of which the camera sees none of the shapes. */
-export function lampWindow(lamps: readonly Shape[], view: View): Window {
+export function lampWindow(lamps: readonly Lamp[], view: View): Window {
   return lamps.map((lamp) => windowOf(lamp, view)).reduce(union, NOTHING);
 }
 
-/** Whether a view may show some of a shape. */
-export function isInView(shape: Shape, view: View): boolean {
+/** Whether a view may show some of what a hull holds. */
+export function isInView(hull: Hull, view: View): boolean {
   if (length(view.right) === 0 || length(view.up) === 0) return true; // a single ray: it has no image plane
-  return windowOf(shape, view) !== NOTHING;
+  return windowOf(hull, view) !== NOTHING;
 }
 
 /** Share of the image that a window takes. */
@@ -46,14 +48,15 @@ export function shareOf([left, bottom, right, top]: Window): number {
   return (Math.max(right - left, 0) * Math.max(top - bottom, 0)) / 4;
 }
 
-function windowOf(shape: Shape, view: View): Window {
-  if (shape.kind === "plane") return EVERYTHING;
-  if (shape.kind === "sphere") {
-    const [left, right] = ballRange(shape.center, shape.radius, view, view.right);
-    const [bottom, top] = ballRange(shape.center, shape.radius, view, view.up);
+function windowOf(lamp: Lamp, view: View): Window {
+  if (lamp === undefined) return EVERYTHING;
+  if ("ball" in lamp) {
+    const { center, radius } = lamp.ball;
+    const [left, right] = ballRange(center, radius, view, view.right);
+    const [bottom, top] = ballRange(center, radius, view, view.up);
     return clip([left, bottom, right, top]);
   }
-  const points = extent(shape, view.forward).map((point) => subtract(point, view.origin));
+  const points = lamp.points.map((point) => subtract(point, view.origin));
   // What reaches behind the camera may be anywhere in its image.
   if (points.some((point) => dot(point, view.forward) <= 0)) return EVERYTHING;
   const [xs, ys] = [view.right, view.up].map((axis) => points.map((point) => tangent(point, view, axis)));

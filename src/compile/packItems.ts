@@ -1,9 +1,12 @@
 import { NO_NORMAL, packDirections } from "../math/octahedral";
+import { itemOf } from "../shapes/shapes";
 import type { BoundedPrimitive } from "./boundedShapes";
 import type { MeshPart } from "./geometry";
-import { ITEM_KINDS, itemOf } from "./treeItems";
 
 const ITEM_WORDS = 12;
+// Kinds of items: the two that are triangles of a mesh.
+const MESH_TRIANGLE = 0;
+const TURNED_TRIANGLE = 1;
 
 export type PackedItems = {
   readonly items: ArrayBuffer;
@@ -43,7 +46,7 @@ export function packItems(
       const slot = slotOf[firstTriangle + i / 3]!;
       const at = ITEM_WORDS * slot;
       words[at + 3] = id;
-      words[at + 7] = isTurned ? ITEM_KINDS.turnedTriangle : ITEM_KINDS.meshTriangle;
+      words[at + 7] = isTurned ? TURNED_TRIANGLE : MESH_TRIANGLE;
       for (let corner = 0; corner < 3; corner++) {
         const vertex = corners[corner]!;
         for (let axis = 0; axis < 3; axis++) floats[at + 4 * corner + axis] = positions[3 * vertex + axis]!;
@@ -56,11 +59,11 @@ export function packItems(
     }
   }
   for (const [i, { id, shape }] of shapes.entries()) {
-    const { kind, vectors, w } = itemOf(shape);
+    const { tag, vectors, w } = itemOf(shape);
     const at = ITEM_WORDS * slotOf[slotOf.length - shapes.length + i]!;
     for (const [row, vector] of vectors.entries()) floats.set(vector, at + 4 * row);
     words[at + 3] = id;
-    words[at + 7] = kind;
+    words[at + 7] = tag;
     floats[at + 11] = w;
   }
   return { items, normals: normals?.buffer, uvs: uvs?.buffer };

@@ -1,16 +1,18 @@
-import { add, cross, length, scale, subtract } from "../math/vec3";
+import type { Ball, Light } from "../lights/light";
+import { numberOfLight } from "../lights/lights";
+import { add, scale } from "../math/vec3";
 import { dielectricF0 } from "../scene/metals";
 import type { ResolvedMaterial, Rgb } from "../scene/schema";
+import type { Vec4 } from "../shapes/shape";
+import { kindOf } from "../shapes/shapes";
 import type { StructFields, StructLayout, StructValue } from "./defineStruct";
 import { hasManyLights } from "./emitLights";
 import { unboundedRows } from "./emitLoops";
-import { type Emitter, LIGHT_KINDS } from "./emitters";
 import { alphaOf, hasHugeSpheres, hasRims, hasSpecularLobe } from "./features";
 import type { Geometry } from "./geometry";
 import { FACTORS, LIGHT, MATERIAL, TEXTURE, UNBOUNDED } from "./layouts";
 import { factorRows, hasTextures, type Textures, textureRows } from "./packTextures";
-import { hasArea, type Primitive, type Shape } from "./primitives";
-import { towardsMiddle } from "./rims";
+import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
 
 const NO_PRIMITIVE = 0xffffffff;
@@ -21,20 +23,20 @@ export type Tables = ReturnType<typeof tablesOf>;
 
 export function tablesOf(
   primitives: readonly Primitive[],
-  emitters: readonly Emitter[],
+  lights: readonly Light[],
   unrolling: Unrolling,
   geometry: Geometry | undefined,
   environment: Rgb,
   textures: Textures,
 ) {
-  const isMany = hasManyLights(emitters);
+  const isMany = hasManyLights(lights);
   return {
     environment,
-    materials: materialRows(primitives, emitters),
-    shapes: primitives.map(({ shape }) => shapeRow(shape)),
+    materials: materialRows(primitives, lights),
+    shapes: primitives.map(({ shape }) => kindOf(shape).row(shape)),
     anchors: anchorRows(primitives),
-    lights: lightRows(primitives, emitters, geometry),
-    lightBounds: isMany ? lightBoundRows(primitives, emitters) : [],
+    lights: lightRows(primitives, lights, geometry),
+    lightBounds: isMany ? lightBoundRows(primitives, lights) : [],
     unbounded: unboundedRows(unrolling, primitives),
     factors: hasTextures(textures) ? factorRows(primitives, textures) : [],
     textures: textureRows(textures),
@@ -77,8 +79,8 @@ export function bytesOf(members: readonly ArrayBuffer[]): number {
 }
 
 /** The surfaces of all primitives, by id. Those of a material that are no lights share a row. */
-function materialRows(primitives: readonly Primitive[], emitters: readonly Emitter[]) {
-  const densities = lightDensities(primitives, emitters);
+function materialRows(primitives: readonly Primitive[], lights: readonly Light[]) {
+  const densities = lightDensities(primitives, lights);
   const dark = new Map<Primitive["material"], ReturnType<typeof materialRow>>();
   return primitives.map((primitive, id) => {
     const density = densities.get(id);
@@ -94,14 +96,14 @@ function materialRow({ material, emission }: Primitive, lightDensity: number) {
 }
 
 /** By primitive that emits; see `Material` in `wgsl/surface.wgsl`. */
-function lightDensities(primitives: readonly Primitive[], emitters: readonly Emitter[]): ReadonlyMap<number, number> {
+function lightDensities(primitives: readonly Primitive[], lights: readonly Light[]): ReadonlyMap<number, number> {
   const sums = new Map<number, { weight: number; size: number }>();
-  for (const { primitive, strength, size } of emitters) {
+  for (const { primitive, strength, size } of lights) {
     if (primitive === undefined) continue;
     const sum = sums.get(primitive) ?? { weight: 0, size: 0 };
     sums.set(primitive, { weight: sum.weight + strength, size: sum.size + size });
   }
-  const isAlone = emitters.length === 1;
+  const isAlone = lights.length === 1;
   return new Map(
     Array.from(sums, ([id, { weight, size }]) => {
       const share = isAlone ? 1 : weight;
@@ -137,62 +139,17 @@ const BLACK = {
   multiscatter: 0,
 };
 
-/** Centre and radius of a sphere, unit normal and 0 of a flat shape, -1 last for a box. */
-function shapeRow(shape: Shape): number[] {
-  switch (shape.kind) {
-    case "sphere":
-      return [...shape.center, shape.radius];
-    case "box":
-    case "mesh":
-      return [0, 0, 0, -1]; // the normal depends on the point: shapeNormal(), meshPoint()
-    default:
-      return [...shape.normal, 0];
-  }
-}
-
 /** One per primitive, or none where the shader reads none: see features. */
-function anchorRows(primitives: readonly Primitive[]): number[][] {
+function anchorRows(primitives: readonly Primitive[]): readonly Vec4[] {
   const isRead = hasRims(primitives) || hasHugeSpheres(primitives);
-  return isRead ? primitives.map(({ shape }) => anchorRow(shape)) : [];
+  return isRead ? primitives.map(({ shape }) => kindOf(shape).anchor(shape)) : [];
 }
 
-/**
- * A point on a flat shape, its middle if it has one, and the factor by which points on it are drawn there; the foot of a huge
- * sphere and 1; else zeros.
- */
-function anchorRow(shape: Shape): number[] {
-  switch (shape.kind) {
-    case "plane":
-      return [...shape.point, 1];
-    case "quad": {
-      const { corner, edge1, edge2 } = shape;
-      const middle = add(corner, scale(add(edge1, edge2), 0.5));
-      const sides = [length(edge1), length(edge2)];
-      const toEdge = length(cross(edge1, edge2)) / (2 * Math.max(...sides));
-      return [...middle, towardsMiddle(middle, toEdge, (sides[0]! + sides[1]!) / 2)];
-    }
-    case "triangle": {
-      if (!hasArea(shape.vertices)) return [0, 0, 0, 0]; // nobody hits it
-      const [a, b, c] = shape.vertices;
-      const middle = scale(add(a, add(b, c)), 1 / 3);
-      const sides = [subtract(b, a), subtract(c, b), subtract(a, c)];
-      const longest = Math.max(...sides.map(length));
-      const toEdge = length(cross(sides[0]!, sides[1]!)) / (3 * longest);
-      return [...middle, towardsMiddle(middle, toEdge, longest)];
-    }
-    case "sphere":
-      return shape.foot ? [...shape.foot, 1] : [0, 0, 0, 0];
-    case "box":
-    case "mesh":
-      return [0, 0, 0, 0];
-  }
-}
-
-/** The emitters, as the shader's table wants them. */
-function lightRows(primitives: readonly Primitive[], emitters: readonly Emitter[], geometry: Geometry | undefined) {
-  return emitters.map(({ kind, position, size, edge1, edge2, normal, radiance, primitive }) => {
+/** The lights, as the shader's table wants them. */
+function lightRows(primitives: readonly Primitive[], lights: readonly Light[], geometry: Geometry | undefined) {
+  return lights.map(({ kind, position, size, edge1, edge2, normal, radiance, primitive }) => {
     const id = kind === "mesh" ? NO_PRIMITIVE : hitId(primitive, primitives.length, geometry);
-    return { position, size, edge1, edge2, normal, radiance, kind: LIGHT_KINDS[kind], id };
+    return { position, size, edge1, edge2, normal, radiance, kind: numberOfLight(kind), id };
   });
 }
 
@@ -204,12 +161,12 @@ function hitId(id: number | undefined, primitiveCount: number, geometry: Geometr
 }
 
 /** Bounds and fronts of lights, and bounds of primitives, where the shader looks them up: see `emitScene`. */
-function lightBoundRows(primitives: readonly Primitive[], emitters: readonly Emitter[]): number[][] {
-  const byPrimitive = new Map(emitters.map(({ primitive, bound }) => [primitive, bound]));
-  const row = (bound: Emitter["bound"] | undefined) => (bound ? [...bound.center, bound.radius] : [0, 0, 0, 0]);
+function lightBoundRows(primitives: readonly Primitive[], lights: readonly Light[]): number[][] {
+  const byPrimitive = new Map(lights.map(({ primitive, bound }) => [primitive, bound]));
+  const row = (bound: Ball | undefined) => (bound ? [...bound.center, bound.radius] : [0, 0, 0, 0]);
   return [
-    ...emitters.map(({ bound }) => row(bound)),
-    ...emitters.map(({ front = [0, 0, 0], strength }) => [...front, strength]),
+    ...lights.map(({ bound }) => row(bound)),
+    ...lights.map(({ front = [0, 0, 0], strength }) => [...front, strength]),
     ...primitives.map((_, id) => row(byPrimitive.get(id))),
   ];
 }

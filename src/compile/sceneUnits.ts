@@ -1,5 +1,7 @@
+import { kindOfLight } from "../lights/lights";
 import { length, scale, subtract } from "../math/vec3";
-import type { ResolvedObject, ResolvedScene, Vec3 } from "../scene/schema";
+import type { ResolvedScene, Rgb, Vec3 } from "../scene/schema";
+import { kindOfObject } from "../shapes/shapes";
 
 // Scenes whose camera is between these powers of two from what it looks at keep the metre: products of three and four lengths
 // near it are well within f32.
@@ -26,39 +28,16 @@ export function inSceneUnits(scene: ResolvedScene): SceneInUnits {
   if (Math.abs(steps) <= METRE_STEPS) return { scene, unit: 1 };
   const unit = 2 ** steps;
   const point = (p: Vec3): Vec3 => [coordinate(p[0] / unit), coordinate(p[1] / unit), coordinate(p[2] / unit)];
+  const power = (watts: Rgb) => scale(watts, unit ** -2);
   const size = (x: number) => Math.min(Math.max(x / unit, MIN_SIZE), MAX_MAGNITUDE);
-  const inUnits = (object: ResolvedObject): ResolvedObject => {
-    switch (object.type) {
-      case "sphere":
-        return { ...object, center: point(object.center), radius: size(object.radius) };
-      case "plane":
-        return { ...object, point: point(object.point) };
-      case "quad": {
-        const { corner, edge1, edge2 } = object;
-        return { ...object, corner: point(corner), edge1: point(edge1), edge2: point(edge2) };
-      }
-      case "triangle": {
-        const [a, b, c] = object.vertices;
-        return { ...object, vertices: [point(a), point(b), point(c)] };
-      }
-      case "box": {
-        const [x, y, z] = object.size;
-        return { ...object, center: point(object.center), size: [size(x), size(y), size(z)] };
-      }
-      case "mesh":
-        return { ...object, positions: object.positions.map((x) => coordinate(x / unit)) };
-    }
-  };
+  const measure = { point, size, coordinate: (x: number) => coordinate(x / unit), power };
   return {
     unit,
     scene: {
       ...scene,
       camera: { ...camera, position: point(camera.position), target: point(camera.target) },
-      objects: objects.map(inUnits),
-      lights: lights.map((light) => {
-        const placed = { ...light, position: point(light.position), power: scale(light.power, unit ** -2) };
-        return placed.type === "sphere" ? { ...placed, radius: size(placed.radius) } : placed;
-      }),
+      objects: objects.map((object) => kindOfObject(object).measure(object, measure)),
+      lights: lights.map((light) => kindOfLight(light).measure(light, measure)),
     },
   };
 }

@@ -2,7 +2,7 @@
 
 import type { ResolvedScene, Vec3 } from "../scene/schema";
 import { type BoundedPrimitive, boundedShapesOf, MAX_UNROLLED } from "./boundedShapes";
-import { boundsOfShape } from "./treeItems";
+import { boundsOfShape } from "./boundsOfShape";
 
 // A shape whose box has this share of the surface of the box around all is met by so many rays that the tree is a detour: a
 // sample of a room of 42 balls took 425 ms of a software adapter with its walls in the tree, and 264 ms without.

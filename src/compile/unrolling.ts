@@ -1,15 +1,14 @@
 // Which shapes the program meets one by one, in code of their own, and which it goes through in a loop.
 
+import { kindOf, LOOPS, type LoopTable } from "../shapes/shapes";
 import type { Geometry } from "./geometry";
-import { hasArea, type Primitive, type Shape } from "./primitives";
+import type { Primitive } from "./primitives";
 
 /** Ids of primitives, by how a program meets what is not in its tree. */
 export type Unrolling = {
   readonly unrolled: readonly number[];
-  /** Planes past the first few. */
-  readonly planes: readonly number[];
-  /** Huge spheres, likewise. */
-  readonly hugeSpheres: readonly number[];
+  /** The rows of each table that has some: the rest of those that no tree can hold. */
+  readonly loops: readonly { readonly table: LoopTable; readonly ids: readonly number[] }[];
 };
 
 // A shape takes some 20 ms to compile, and more the more there are: 200 planes took 12 s. Bounded shapes are in the tree where they
@@ -17,26 +16,21 @@ export type Unrolling = {
 // loop they take no time to compile, and a ray takes four times as long to meet one on a software adapter.
 const MAX_UNROLLED = 40;
 
-/** At most `MAX_UNROLLED` shapes are unrolled: bounded ones first, then planes, then huge spheres. */
+/** At most `MAX_UNROLLED` shapes are unrolled: bounded ones first, then those of one table after the other. */
 export function unrollingOf(primitives: readonly Primitive[], geometry: Geometry | undefined): Unrolling {
-  const [bounded, planes, hugeSpheres]: [number[], number[], number[]] = [[], [], []];
+  const unrolled: number[] = [];
+  const tables = new Map<LoopTable, number[]>(LOOPS.map((table) => [table, []]));
   for (const [id, { shape }] of primitives.entries()) {
-    if (shape.kind === "plane") planes.push(id);
-    else if (shape.kind === "sphere" && shape.foot) hugeSpheres.push(id);
-    else if (isMet(shape) && !geometry?.shapes.has(id)) bounded.push(id);
+    const { meeting, loop } = kindOf(shape);
+    const how = meeting(shape);
+    if (how === "loop") tables.get(loop!)!.push(id);
+    else if (how === "bounded" && !geometry?.shapes.has(id)) unrolled.push(id);
   }
-  const planeCount = Math.min(planes.length, Math.max(MAX_UNROLLED - bounded.length, 0));
-  const hugeCount = Math.min(hugeSpheres.length, Math.max(MAX_UNROLLED - bounded.length - planeCount, 0));
-  const unrolled = [...bounded, ...planes.slice(0, planeCount), ...hugeSpheres.slice(0, hugeCount)];
-  return {
-    unrolled: unrolled.sort((a, b) => a - b),
-    planes: planes.slice(planeCount),
-    hugeSpheres: hugeSpheres.slice(hugeCount),
-  };
-}
-
-/** A mesh is met by its triangles. A triangle without area, in f32, would be hit by rays at it, at distances that are noise. */
-function isMet(shape: Shape): boolean {
-  if (shape.kind === "triangle") return hasArea(shape.vertices);
-  return shape.kind !== "mesh";
+  const loops = [];
+  for (const [table, all] of tables) {
+    const count = Math.min(all.length, Math.max(MAX_UNROLLED - unrolled.length, 0));
+    unrolled.push(...all.slice(0, count));
+    if (count < all.length) loops.push({ table, ids: all.slice(count) });
+  }
+  return { unrolled: unrolled.sort((a, b) => a - b), loops };
 }

@@ -1,8 +1,9 @@
 import { clearDepth } from "../compile/clearDepth";
+import type { Lamp } from "../compile/lampWindow";
 import { lampWindow, shareOf } from "../compile/lampWindow";
-import type { Shape } from "../compile/primitives";
 import { add, cross, normalize, scale, subtract } from "../math/vec3";
 import type { ResolvedCamera, Vec3 } from "../scene/schema";
+import type { Shape } from "../shapes/shapes";
 
 /** A pinhole camera as the shader wants it: the ray through image plane coordinates (x, y) runs along forward + x·right + y·up. */
 export type CameraBasis = {
@@ -40,7 +41,7 @@ export function rayStart(basis: CameraBasis, shapes: readonly Shape[]): CameraBa
 const MAX_LAMP_SHARE = 0.25;
 
 /** The pixels, from the first to before the second, in which lamps are looked for by rays of their own. */
-export function lampPixels(lamps: readonly Shape[], basis: CameraBasis, width: number, height: number) {
+export function lampPixels(lamps: readonly Lamp[], basis: CameraBasis, width: number, height: number) {
   const window = lampWindow(lamps, basis);
   const share = shareOf(window);
   if (share === 0 || share > MAX_LAMP_SHARE) return { lampsFrom: [0, 0], lampsTo: [0, 0] };

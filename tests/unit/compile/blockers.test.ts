@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { Blockers } from "../../../src/compile/blockers";
-import { emittersOf } from "../../../src/compile/emitters";
+import { lightsOfScene } from "../../../src/compile/lights";
 import { primitivesOf } from "../../../src/compile/primitives";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
@@ -21,7 +21,7 @@ function blockersOf(objects: readonly SceneObject[], lights: readonly Light[], c
 
 function blockersIn(scene: ReturnType<typeof parseScene>, camera: Vec3): number[] {
   const primitives = primitivesOf(scene, [0, 0, 0]);
-  const emitters = emittersOf(scene, primitives, [0, 0, 0]);
+  const emitters = lightsOfScene(scene, primitives, [0, 0, 0]);
   const blockers = new Blockers(primitives, emitters);
   return [...primitives.keys()].filter((id) => blockers.canBlock(id, camera));
 }

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { clearDepth, type View } from "../../../src/compile/clearDepth";
-import type { Shape } from "../../../src/compile/primitives";
+import type { Shape } from "../../../src/shapes/shapes";
 
 // A camera 1000 in front of the origin; the image spans ±0.01.
 const VIEW: View = { origin: [0, 0, 1000], forward: [0, 0, -1], right: [0.01, 0, 0], up: [0, 0.01, 0] };

@@ -46,7 +46,7 @@ test("a mesh that begins to glow gets its table of triangles, and the tree stays
   const glowing = [meshObject(cube(), "glow"), scene().objects[1]!];
   const after = (await prepare(scene({ objects: glowing }), before))!;
   expect(after.data.nodes).toBe(before.data.nodes);
-  expect(after.lamps.get(0)).toMatchObject({ first: 0, count: 12, area: 24 });
+  expect(after.lights.get(0)).toMatchObject({ first: 0, count: 12, area: 24 });
   expect(after.data.shiningTriangles?.byteLength).toBe(16 * 12);
 });
 

@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
-import { LIGHT_KINDS } from "../../../src/compile/emitters";
+import { LIGHT_KINDS } from "../../../src/lights/lights";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import type { Light, Material, SceneObject } from "../../../src/scene/schema";
 import { compile, sceneOf, unpack } from "../../support/compiled";

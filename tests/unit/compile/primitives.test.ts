@@ -1,9 +1,10 @@
 import { describe, expect, test } from "vitest";
-import { primitivesOf, type Shape } from "../../../src/compile/primitives";
+import { primitivesOf } from "../../../src/compile/primitives";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
 import { partOf } from "../../../src/scene/parts";
 import type { SceneObject, Vec3 } from "../../../src/scene/schema";
+import type { Shape } from "../../../src/shapes/shapes";
 import { sceneOf } from "../../support/compiled";
 
 const material = "lambert";

@@ -1,9 +1,9 @@
 // The decisive expressions of the intersection functions, under every freedom that WGSL leaves to a device: + − × rounded either
 // way, products fused into sums. A software adapter shows one device of them all: it fuses nothing and rounds to the nearest.
 import { describe, expect, test } from "vitest";
-import { halfEdgeDuals } from "../../../src/compile/duals";
-import { dualWithRim, inCommonOrder, withRim } from "../../../src/compile/rims";
 import type { Vec3 } from "../../../src/scene/schema";
+import { halfEdgeDuals } from "../../../src/shapes/duals";
+import { dualWithRim, inCommonOrder, withRim } from "../../../src/shapes/rims";
 import { add, dot, scale, subtract } from "../../support/oracle";
 import { createRandom, randomDirection } from "../../support/random";
 import { CONSISTENT, everyFusion, randomChoices } from "../../support/wgsl/choices";

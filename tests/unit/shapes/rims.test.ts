@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { dualWithRim, inCommonOrder, towardsMiddle, withRim } from "../../../src/compile/rims";
+import { dualWithRim, inCommonOrder, towardsMiddle, withRim } from "../../../src/shapes/rims";
 
 describe("rims", () => {
   test("are a few ULP of the coordinates at the edge", () => {

@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
-import { type Emitter, emittersOf } from "../../../src/compile/emitters";
+import { lightsOfScene } from "../../../src/compile/lights";
 import { primitivesOf } from "../../../src/compile/primitives";
+import type { Light as SampledLight } from "../../../src/lights/light";
 import { add, cross, length, normalize, scale, subtract } from "../../../src/math/vec3";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
@@ -10,9 +11,9 @@ import { sceneOf } from "../../support/compiled";
 const MATERIALS: Record<string, Material> = { glow: { emission: [1, 1, 1] }, bright: { emission: [2, 4, 3] } };
 const UNIT_QUAD = quad({ corner: [0, 0, 0], edge1: [1, 0, 0], edge2: [0, 1, 0], material: "glow" });
 
-function emit(objects: readonly SceneObject[], lights: readonly Light[] = []): Emitter[] {
+function emit(objects: readonly SceneObject[], lights: readonly Light[] = []): SampledLight[] {
   const scene = parseScene(sceneOf(objects, lights, MATERIALS));
-  return emittersOf(scene, primitivesOf(scene, [0, 0, 0]), [0, 0, 0]);
+  return lightsOfScene(scene, primitivesOf(scene, [0, 0, 0]), [0, 0, 0]);
 }
 
 function sphereOfLight(power: number, radius = 1): Light {
@@ -24,7 +25,7 @@ function pointOfLight(power: number): Light {
 }
 
 /** Watts, summed over the channels, by the emitter's own geometry. */
-function powerOf({ kind, radiance, size }: Emitter): number {
+function powerOf({ kind, radiance, size }: SampledLight): number {
   const sum = radiance[0] + radiance[1] + radiance[2];
   if (kind === "point") return 4 * Math.PI * sum;
   return Math.PI * sum * (kind === "sphere" ? 4 * Math.PI * size ** 2 : size);
@@ -58,7 +59,7 @@ describe("strength and bound", () => {
   test("strengths stay finite where radiance times area would not be, in f32", () => {
     const huge = quad({ corner: [0, 0, 0], edge1: [1e18, 0, 0], edge2: [0, 1e18, 0], material: "blinding" });
     const scene = parseScene(sceneOf([huge], [pointOfLight(1)], { blinding: { emission: [1e18, 1e18, 1e18] } }));
-    const emitters = emittersOf(scene, primitivesOf(scene, [0, 0, 0]), [0, 0, 0]);
+    const emitters = lightsOfScene(scene, primitivesOf(scene, [0, 0, 0]), [0, 0, 0]);
     expect(emitters.every(({ strength }) => strength >= 0 && strength <= 1)).toBe(true);
   });
 

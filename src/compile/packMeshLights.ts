@@ -1,25 +1,26 @@
 import { aliasTable } from "../math/aliasTable";
+import type { Triangles } from "../shapes/shape";
 import type { MeshPart } from "./geometry";
 
 const ENTRY_WORDS = 4;
 
-/** A mesh that emits: its triangles are entries `first` to `first + count` of the table. */
-export type MeshLamp = { readonly first: number; readonly count: number; readonly area: number };
+/** How light sampling chooses among the triangles of a mesh. */
+export type MeshLight = NonNullable<Triangles["light"]>;
 
 /**
  * The triangles of meshes that emit, as `wgsl/meshLights.wgsl` chooses among them: per entry the probability to keep its turn, its
  * slot, and the slot that has the turn otherwise; 16 bytes.
  *
- * @returns the table, undefined if it is empty; and the lamp of each mesh that has an area, by id.
+ * @returns the table, undefined if it is empty; and the light of each mesh that has an area, by id.
  */
-export function packLamps(
+export function packMeshLights(
   parts: readonly MeshPart[],
   slotOf: Uint32Array,
-): { lamps: ReadonlyMap<number, MeshLamp>; table: ArrayBuffer | undefined } {
+): { lights: ReadonlyMap<number, MeshLight>; table: ArrayBuffer | undefined } {
   const count = parts.reduce((sum, { object }) => sum + object.indices.length / 3, 0);
   const table = new ArrayBuffer(4 * ENTRY_WORDS * count);
   const [floats, words] = [new Float32Array(table), new Uint32Array(table)];
-  const lamps = new Map<number, MeshLamp>();
+  const lights = new Map<number, MeshLight>();
   let first = 0;
   for (const part of parts) {
     const areas = areasOf(part);
@@ -32,11 +33,11 @@ export function packLamps(
         words[at + 1] = slotOf[part.firstTriangle + i]!;
         words[at + 2] = slotOf[part.firstTriangle + alias[i]!]!;
       }
-      lamps.set(part.id, { first, count: areas.length, area });
+      lights.set(part.id, { first, count: areas.length, area });
     }
     first += areas.length;
   }
-  return { lamps, table: lamps.size > 0 ? table : undefined };
+  return { lights, table: lights.size > 0 ? table : undefined };
 }
 
 function areasOf({ object: { indices }, positions: p }: MeshPart): Float64Array {

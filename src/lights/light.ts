@@ -1,0 +1,77 @@
+import { add, cross, length, normalize, scale, subtract } from "../math/vec3";
+import type { Measure } from "../scene/measure";
+import type { ResolvedObject, Rgb, Vec3 } from "../scene/schema";
+
+/** What holds something. */
+export type Ball = { readonly center: Vec3; readonly radius: number };
+
+/** Something that emits and that next-event estimation samples; `Light` in `wgsl/lights.wgsl`. */
+export type Light = {
+  /** How it is sampled: a name in `lights.ts`. */
+  readonly kind: string;
+  /**
+   * Centre of a sphere, corner of a quad or triangle, position of a point; of a mesh, first and number of its triangles in the
+   * geometry's table of those that emit.
+   */
+  readonly position: Vec3;
+  /** Radius of a sphere, area of a quad, triangle or mesh; 0 for a point. */
+  readonly size: number;
+  readonly edge1: Vec3;
+  readonly edge2: Vec3;
+  /** Of the side that a flat light shines to, unit; zero of other kinds. */
+  readonly normal: Vec3;
+  /** Radiance; intensity of what has no area. */
+  readonly radiance: Rgb;
+  /** Index of the primitive that carries the emission; undefined where no ray can hit the light. */
+  readonly primitive: number | undefined;
+  /** Intensity along the normal, or in all directions: what the choice of a light goes by. */
+  readonly strength: number;
+  /** The side that a flat primitive shines to; undefined where light leaves in all directions, as from a box's faces together. */
+  readonly front: Vec3 | undefined;
+  /** Around all lights of the primitive. */
+  readonly bound: Ball;
+};
+
+const NO_VECTOR: Vec3 = [0, 0, 0];
+
+/** What a light without edges that shines in all directions has for a side. */
+export const ALL_ROUND = { edge1: NO_VECTOR, edge2: NO_VECTOR, normal: NO_VECTOR, front: undefined } as const;
+
+/** One that shines to the side of edge1 × edge2. */
+export function flatLight(
+  kind: "quad" | "triangle",
+  [position, edge1, edge2]: readonly [Vec3, Vec3, Vec3],
+  radiance: Rgb,
+  primitive: number,
+  bound: Ball,
+  front?: Vec3,
+): Light {
+  const area = cross(edge1, edge2);
+  const size = length(area) * (kind === "quad" ? 1 : 0.5);
+  const normal = size > 0 ? normalize(area) : area;
+  const strength = sum(radiance) * size;
+  return { kind, position, size, edge1, edge2, normal, radiance, primitive, strength, front, bound };
+}
+
+/** The ball around the mean of some points that holds them all. */
+export function ballAround(points: readonly Vec3[]): Ball {
+  const center = scale(
+    points.reduce((total, point) => add(total, point)),
+    1 / points.length,
+  );
+  return { center, radius: Math.max(...points.map((point) => length(subtract(point, center)))) };
+}
+
+export function sum(rgb: Rgb): number {
+  return rgb[0] + rgb[1] + rgb[2];
+}
+
+/** A kind of light in a scene's list of them. */
+export type SceneLight<L> = {
+  /** The same light in another unit of length. */
+  readonly measure: (light: L, to: Measure) => L;
+  /** The black object, of some material, that shines for it with a radiance: rays can hit it. */
+  readonly body?: (light: L) => { readonly body: ResolvedObject; readonly radiance: Rgb };
+  /** What next-event estimation samples of a light without a body, relative to the shader's origin. */
+  readonly lights?: (light: L, origin: Vec3) => Light[];
+};
