@@ -1,7 +1,7 @@
 // Shapes that a tree can hold, and whether a scene needs one.
 
 import type { ResolvedScene, Vec3 } from "../scene/schema";
-import { kindOf, kindOfObject, type Shape } from "../shapes/shapes";
+import { isMesh, kindOf, type Shape } from "../shapes/shapes";
 import { shapesOf } from "./primitives";
 
 /** A shape that is neither infinite, nor nowhere, nor too large; and the id of its primitive. */
@@ -22,7 +22,7 @@ export function* boundedShapesOf(scene: ResolvedScene, origin: Vec3): Generator<
 
 /** Whether a scene has something for the tree: for `prepareGeometry`, which pages load only then. */
 export function needsGeometry(scene: ResolvedScene): boolean {
-  if (scene.objects.some((object) => kindOfObject(object).isTriangles)) return true;
+  if (scene.objects.some(isMesh)) return true;
   const bounded = boundedShapesOf(scene, scene.camera.target);
   for (let count = 0; !bounded.next().done; count++) if (count === MAX_UNROLLED) return true;
   return false;

@@ -1,8 +1,26 @@
-// Writes the part of the shader module `scene` that chooses the light to sample.
+// Writes the part of the shader module `scene` that chooses the light to sample, and a point on it.
 
 import type { Light } from "../lights/light";
+import { LIGHT_CALLS, samplerOf, tagOf } from "../lights/lights";
 import type { Features } from "./features";
 import type { Values } from "./values";
+
+/** Shader modules of lights, and what the text below calls of them. */
+export const LIGHT_IMPORTS = LIGHT_CALLS.map(
+  ([module, functions]) => `import package::lights::${module}::{${functions.join(", ")}};\n`,
+).join("");
+
+/** `sampleKind`: a point on a light, by its kind. */
+export function emitLightSamplers(lights: readonly Light[], { UNIFORM }: Features): string {
+  const byTag = new Map(lights.map((light) => [tagOf(light), samplerOf(light)]));
+  const kinds = [...byTag].sort(([a], [b]) => a - b);
+  const samples = kinds.map(([tag, { sample, baseline = sample }], i) => {
+    const isLast = i === kinds.length - 1;
+    return `  ${isLast ? "" : `if (light.kind == ${tag}u) { `}return ${UNIFORM ? baseline : sample};${isLast ? "" : " }"}\n`;
+  });
+  if (samples.length === 0) return "";
+  return `fn sampleKind(light: Light, p: vec3f, u: vec2f, pick: vec2f) -> LightSample {\n${samples.join("")}}\n`;
+}
 
 // More than these are not unrolled, but looked up one after the other.
 const MAX_UNROLLED = 48;

@@ -2,11 +2,10 @@
 // Numbers come from validated scenes only and names from this file; no user text reaches WGSL.
 
 import type { Light } from "../lights/light";
-import type { EmittedShape } from "../shapes/shape";
-import { kindOf, type Shape } from "../shapes/shapes";
 import type { StructFields, StructLayout } from "./defineStruct";
-import { emitLightChoice, hasManyLights } from "./emitLights";
-import { emitBlockingLoops, emitClosestLoops, emitRowStruct, emitTableMembers } from "./emitLoops";
+import { emitLightChoice, emitLightSamplers, hasManyLights, LIGHT_IMPORTS } from "./emitLights";
+import { emitRowStruct, emitTableMembers } from "./emitLoops";
+import { emitShapes, SHAPE_IMPORTS } from "./emitShapes";
 import type { Features } from "./features";
 import type { Geometry } from "./geometry";
 import { LIGHT, MATERIAL } from "./layouts";
@@ -39,39 +38,19 @@ export function emitScene(
   blocks: (id: number) => boolean,
   packed: () => { readonly slotCount: number; readonly isStored: boolean },
 ): string {
-  const sampled = new Set(lights.map((light) => light.primitive));
-  const emitted = unrolling.unrolled.map((id) => ({ id, ...emitShape(primitives[id]!.shape, id, values) }));
-  const shear = features.TRIANGLES ? "  let shear = shearOf(ray);\n" : "";
-
-  const closest = emitted.map(({ id, distance }) => `  hit = nearer(hit, ${distance}, ${id}u, ray);\n`).join("");
-  const blockers = emitted
-    .map(({ id, distance }) => {
-      const isTarget = sampled.has(id);
-      if (isTarget && lights.length === 1) return ""; // a light never hides itself
-      if (!blocks(id)) return "";
-      const other = isTarget ? ` & (target_ != ${id}u)` : "";
-      return `  blocked |= between(${distance}, distance, ${id}u, ray)${other};\n`;
-    })
-    .join("");
-  const normals = emitted
-    .map(({ id, normal }) => (normal ? `  n = select(n, ${normal}, id == ${id}u);\n` : ""))
-    .join("");
-
+  const shapes = emitShapes(primitives, lights, unrolling, geometry, values, blocks);
   const textureCount = tables.textures.length;
   const lightChoice = emitLightChoice(lights, features, values);
   const { slotCount, isStored } = packed();
 
   return `
-import package::box::{boxIntersect, boxNormal, turnedBoxIntersect};
-import package::lights::{Light, LightChoice, flatLightShare, lightShare};
-import package::planar::{planeIntersect, planeIntersectX, planeIntersectY, planeIntersectZ, quadIntersect,
-  quadIntersectX, quadIntersectY, quadIntersectZ, shearOf, triangleIntersect};
+import package::lights::light::{Light, LightChoice, LightSample, flatLightShare, lightShare};
 import package::ray::{Hit, Ray, between, nearer, noHit};
-import package::sphere::{hugeSphereIntersect, sphereIntersect};
 import package::surface::{Material, Surface};
 import package::textures::{Factors, Texture};
-import package::tree::{treeClosest, treeOccludes};
-
+import package::shapes::triangle::{Shear, shearOf};
+import package::tree::{Item, itemAt, treeClosest, treeOccludes};
+${SHAPE_IMPORTS}${LIGHT_IMPORTS}
 // Ids from here on are those of items of the tree, by their slot.
 const PRIMITIVES = ${primitives.length}u;
 const STACK_SIZE = ${stackSizeFor(geometry)}u;
@@ -90,29 +69,13 @@ ${hasManyLights(lights) ? lightMembers(lights.length, primitives.length) : ""}${
 
 // Written by the renderer when the scene changes.
 @group(0) @binding(1) var<${isStored ? "storage, read" : "uniform"}> scene: Scene;
-
-fn closestHit(ray: Ray) -> Hit {
-${shear}  var hit = noHit();
-${closest}${emitClosestLoops(unrolling)}${features.TREE ? "  hit = treeClosest(ray, hit);\n" : ""}  return hit;
-}
-
-// Whether something other than \`target_\` lies between the ray's origin and the point at \`distance\`.
-fn occluded(ray: Ray, distance: f32, target_: u32) -> bool {
-${shear}  var blocked = false;
-${blockers}${emitBlockingLoops(unrolling)}${features.TREE ? "  if (!blocked) { blocked = treeOccludes(ray, distance, target_); }\n" : ""}  return blocked;
-}
-
-// Outward normals of shapes whose normal is neither constant nor radial.
-fn shapeNormal(ray: Ray, id: u32, p: vec3f, otherwise: vec3f) -> vec3f {
-  var n = otherwise;
-${normals}  return n;
-}
-
+${shapes}
 fn environment() -> vec3f {
   return scene.environment.rgb;
 }
 ${textureCount > 0 ? TEXTURE_LOOKUPS : ""}
 ${emitLookups(tables, values)}
+${emitLightSamplers(lights, features)}
 ${lightChoice}`;
 }
 
@@ -177,10 +140,4 @@ function fieldsOf<F extends StructFields>({ fields }: StructLayout<F>): [keyof F
 
 function lightField(field: string): string {
   return `light${field[0]!.toUpperCase()}${field.slice(1)}`;
-}
-
-function emitShape(shape: Shape, id: number, values: Values): EmittedShape {
-  const { emit } = kindOf(shape);
-  if (!emit) throw new TypeError(`a ${shape.kind} is never unrolled`);
-  return emit(shape, id, values);
 }

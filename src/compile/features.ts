@@ -1,6 +1,6 @@
 import type { Light } from "../lights/light";
 import { type ResolvedMaterial, TEXTURE_FIELDS, type TextureField } from "../scene/schema";
-import { kindOf, type Shape } from "../shapes/shapes";
+import { hullOf, kindOf, type Shape } from "../shapes/shapes";
 import type { Geometry } from "./geometry";
 import { isEmissive, type Primitive } from "./primitives";
 
@@ -25,29 +25,23 @@ export function deriveFeatures(
   const materials = [...new Set(primitives.map(({ material }) => material))].filter((material) => material !== "black");
   const specular = materials.filter(hasSpecularLobe);
   const rough = specular.filter((material) => alphaOf(material) > 0);
-  const hasShape = (kind: Shape["kind"]) => primitives.some(({ shape }) => shape.kind === kind);
   const hasTexture = (field: TextureField) => materials.some((material) => material[field] !== undefined);
+  const families = new Set(primitives.map(({ shape }) => familyOf(shape)));
   const NORMAL_TEXTURES = hasTexture("normalTexture");
   const isSmooth = geometry?.data.normals !== undefined;
-  const inTree = (kind: Shape["kind"]) => geometry?.treeShapes.some(({ shape }) => shape.kind === kind) ?? false;
-  const hasLight = (kind: string) => lights.some((emitter) => emitter.kind === kind);
 
   const DIFFUSE = materials.length === 0 || materials.some(hasDiffuseLobe);
   const SPECULAR = specular.length > 0;
   return {
-    SPHERES: hasShape("sphere"),
-    BOXES: hasShape("box"),
-    TRIANGLES: primitives.some(
-      ({ shape }, id) =>
-        shape.kind === "triangle" && !geometry?.shapes.has(id) && kindOf(shape).meeting(shape) === "bounded",
-    ),
-    // Something is in the tree: triangles of meshes, other triangles, spheres, quads, boxes.
+    BALLS: families.has("ball"),
+    HUGE_BALLS: hasHugeBalls(primitives),
+    SOLIDS: families.has("solid"),
+    // Flat shapes that may meet at an edge.
+    RIMS: hasRims(primitives),
+    // Something is in the tree: triangles of meshes, other shapes.
     TREE: geometry !== undefined,
-    MESHES: hasShape("mesh"),
-    TREE_TRIANGLES: hasShape("mesh") || inTree("triangle"),
-    TREE_SPHERES: inTree("sphere"),
-    TREE_QUADS: inTree("quad"),
-    TREE_BOXES: inTree("box"),
+    MESHES: geometry !== undefined && geometry.parts.length > 0,
+    TREE_SOLIDS: geometry?.treeShapes.some(({ shape }) => familyOf(shape) === "solid") ?? false,
     // Some mesh has normals.
     SMOOTH: isSmooth,
     // Or a texture of them: shading goes by another normal than the surface's own.
@@ -56,8 +50,6 @@ export function deriveFeatures(
     SURFACE_TEXTURES: hasTexture("baseColorTexture") || hasTexture("metallicRoughnessTexture"),
     EMISSION_TEXTURES: hasTexture("emissionTexture"),
     NORMAL_TEXTURES,
-    HUGE_SPHERES: hasHugeSpheres(primitives),
-    RIMS: hasRims(primitives),
     DIFFUSE,
     SPECULAR,
     ROUGH: rough.length > 0,
@@ -68,18 +60,14 @@ export function deriveFeatures(
     // Some surface has both.
     LOBES: specular.some(hasDiffuseLobe),
     EMISSION: primitives.some(isEmissive),
-    SPHERE_EMITTERS: primitives.some((primitive) => primitive.shape.kind === "sphere" && isEmissive(primitive)),
+    EMISSIVE_BALLS: primitives.some((primitive) => isEmissive(primitive) && familyOf(primitive.shape) === "ball"),
     LAMPS: primitives.some(isEmissive) && settings.estimator === "path",
     LIGHTS: lights.length > 0,
-    SPHERE_LIGHTS: hasLight("sphere"),
-    QUAD_LIGHTS: hasLight("quad"),
-    TRIANGLE_LIGHTS: hasLight("triangle"),
-    POINT_LIGHTS: hasLight("point"),
-    MESH_LIGHTS: hasLight("mesh"),
+    // Some light has parts to choose from.
+    LIGHT_PICKS: geometry !== undefined && geometry.lights.size > 0,
     MANY_LIGHTS: lights.length > 1 && settings.estimator === "path",
     // Of those, some shine to one side only.
     FLAT_LIGHTS: lights.some(({ front }) => front !== undefined),
-    ONE_LIGHT_KIND: new Set(lights.map(({ kind }) => kind)).size === 1,
     ENVIRONMENT: hasEnvironment,
     SOBOL: settings.sampler === "sobol",
     UNIFORM: settings.estimator === "uniform",
@@ -87,14 +75,25 @@ export function deriveFeatures(
   };
 }
 
-/** Spheres that are better measured from their surface than from their centre. */
-export function hasHugeSpheres(primitives: readonly Primitive[]): boolean {
-  return primitives.some(({ shape }) => shape.kind === "sphere" && shape.foot !== undefined);
+type Family = "flat" | "ball" | "solid" | "mesh";
+
+/** By the row that the shader tells it from: see `ShapeKind`. */
+function familyOf(shape: Shape): Family {
+  const { triangleDistance, row } = kindOf(shape);
+  if (triangleDistance) return "mesh";
+  const w = row(shape)[3];
+  if (w === 0) return "flat";
+  return w > 0 ? "ball" : "solid";
+}
+
+/** Balls that are better measured from their surface than from their centre. */
+export function hasHugeBalls(primitives: readonly Primitive[]): boolean {
+  return primitives.some(({ shape }) => familyOf(shape) === "ball" && kindOf(shape).anchor(shape)[3] > 0);
 }
 
 /** Flat shapes that may meet at an edge. */
 export function hasRims(primitives: readonly Primitive[]): boolean {
-  return primitives.filter(({ shape }) => shape.kind === "quad" || shape.kind === "triangle").length > 1;
+  return primitives.filter(({ shape }) => familyOf(shape) === "flat" && hullOf(shape) !== undefined).length > 1;
 }
 
 /** A texture may make a metal less of one. */

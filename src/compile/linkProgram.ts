@@ -3,17 +3,17 @@ import type { Features } from "./features";
 
 type Modules = Readonly<Record<string, string>>;
 
-/** The shader modules of `src/wgsl` that every page needs, by file name, as text. */
+/** The shader modules that every page needs, by their path from `src`, as text. */
 const MODULES = named(
   import.meta.glob<string>(
     [
-      "../wgsl/*.wgsl",
+      "../{wgsl,shapes,lights,lobes}/*.wgsl",
+      "!../shapes/mesh.wgsl",
+      "!../lights/mesh.wgsl",
+      "!../lobes/multiscatter.wgsl",
       "!../wgsl/tree.wgsl",
-      "!../wgsl/mesh.wgsl",
-      "!../wgsl/meshLights.wgsl",
-      "!../wgsl/multiscatter.wgsl",
       "!../wgsl/textures.wgsl",
-      "!../wgsl/uniform.wgsl",
+      "!../wgsl/baseline.wgsl",
       "!../wgsl/pick.wgsl",
     ],
     { query: "?raw", import: "default", eager: true },
@@ -34,11 +34,13 @@ export async function linkProgram(
 ): Promise<string> {
   // What few scenes need is loaded when one does.
   const { default: estimator } = features.UNIFORM
-    ? await import("../wgsl/uniform.wgsl?raw")
+    ? await import("../wgsl/baseline.wgsl?raw")
     : { default: MODULES["./path.wgsl"]! };
   const onDemand: Modules = {
     ...(features.TREE && named((await import("./treeModules")).TREE_MODULES)),
-    ...(features.MULTISCATTER && { "./multiscatter.wgsl": (await import("../wgsl/multiscatter.wgsl?raw")).default }),
+    ...(features.MULTISCATTER && {
+      "./lobes/multiscatter.wgsl": (await import("../lobes/multiscatter.wgsl?raw")).default,
+    }),
     ...(rootModuleName === "pick" && { "./pick.wgsl": (await import("../wgsl/pick.wgsl?raw")).default }),
   };
   const { dest } = await link({
@@ -51,5 +53,7 @@ export async function linkProgram(
 }
 
 function named(modules: Modules): Modules {
-  return Object.fromEntries(Object.entries(modules).map(([path, text]) => [path.replace("../wgsl/", "./"), text]));
+  return Object.fromEntries(
+    Object.entries(modules).map(([path, text]) => [path.replace(/^\.\.\/(wgsl\/)?/, "./"), text]),
+  );
 }

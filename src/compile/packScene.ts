@@ -1,5 +1,5 @@
 import type { Ball, Light } from "../lights/light";
-import { numberOfLight } from "../lights/lights";
+import { samplerOf, tagOf } from "../lights/lights";
 import { add, scale } from "../math/vec3";
 import { dielectricF0 } from "../scene/metals";
 import type { ResolvedMaterial, Rgb } from "../scene/schema";
@@ -8,7 +8,7 @@ import { kindOf } from "../shapes/shapes";
 import type { StructFields, StructLayout, StructValue } from "./defineStruct";
 import { hasManyLights } from "./emitLights";
 import { unboundedRows } from "./emitLoops";
-import { alphaOf, hasHugeSpheres, hasRims, hasSpecularLobe } from "./features";
+import { alphaOf, hasHugeBalls, hasRims, hasSpecularLobe } from "./features";
 import type { Geometry } from "./geometry";
 import { FACTORS, LIGHT, MATERIAL, TEXTURE, UNBOUNDED } from "./layouts";
 import { factorRows, hasTextures, type Textures, textureRows } from "./packTextures";
@@ -80,7 +80,7 @@ export function bytesOf(members: readonly ArrayBuffer[]): number {
 
 /** The surfaces of all primitives, by id. Those of a material that are no lights share a row. */
 function materialRows(primitives: readonly Primitive[], lights: readonly Light[]) {
-  const densities = lightDensities(primitives, lights);
+  const densities = lightDensities(lights);
   const dark = new Map<Primitive["material"], ReturnType<typeof materialRow>>();
   return primitives.map((primitive, id) => {
     const density = densities.get(id);
@@ -96,18 +96,20 @@ function materialRow({ material, emission }: Primitive, lightDensity: number) {
 }
 
 /** By primitive that emits; see `Material` in `wgsl/surface.wgsl`. */
-function lightDensities(primitives: readonly Primitive[], lights: readonly Light[]): ReadonlyMap<number, number> {
-  const sums = new Map<number, { weight: number; size: number }>();
-  for (const { primitive, strength, size } of lights) {
+function lightDensities(lights: readonly Light[]): ReadonlyMap<number, number> {
+  const sums = new Map<number, { weight: number; size: number; isCone: boolean }>();
+  for (const light of lights) {
+    const { primitive, strength, size } = light;
     if (primitive === undefined) continue;
     const sum = sums.get(primitive) ?? { weight: 0, size: 0 };
-    sums.set(primitive, { weight: sum.weight + strength, size: sum.size + size });
+    const isCone = samplerOf(light).measure === "cone";
+    sums.set(primitive, { weight: sum.weight + strength, size: sum.size + size, isCone });
   }
   const isAlone = lights.length === 1;
   return new Map(
-    Array.from(sums, ([id, { weight, size }]) => {
+    Array.from(sums, ([id, { weight, size, isCone }]) => {
       const share = isAlone ? 1 : weight;
-      return [id, primitives[id]!.shape.kind === "sphere" ? share : share / size];
+      return [id, isCone ? share : share / size];
     }),
   );
 }
@@ -141,23 +143,24 @@ const BLACK = {
 
 /** One per primitive, or none where the shader reads none: see features. */
 function anchorRows(primitives: readonly Primitive[]): readonly Vec4[] {
-  const isRead = hasRims(primitives) || hasHugeSpheres(primitives);
+  const isRead = hasRims(primitives) || hasHugeBalls(primitives);
   return isRead ? primitives.map(({ shape }) => kindOf(shape).anchor(shape)) : [];
 }
 
 /** The lights, as the shader's table wants them. */
 function lightRows(primitives: readonly Primitive[], lights: readonly Light[], geometry: Geometry | undefined) {
-  return lights.map(({ kind, position, size, edge1, edge2, normal, radiance, primitive }) => {
-    const id = kind === "mesh" ? NO_PRIMITIVE : hitId(primitive, primitives.length, geometry);
-    return { position, size, edge1, edge2, normal, radiance, kind: numberOfLight(kind), id };
+  return lights.map((light) => {
+    const { position, size, edge1, edge2, normal, radiance } = light;
+    const id = hitId(light.primitive, primitives, geometry);
+    return { position, size, edge1, edge2, normal, radiance, kind: tagOf(light), id };
   });
 }
 
-/** What a ray that hits a primitive names. */
-function hitId(id: number | undefined, primitiveCount: number, geometry: Geometry | undefined): number {
-  if (id === undefined) return NO_PRIMITIVE;
+/** What a ray that hits a primitive names; of a mesh it names the triangle. */
+function hitId(id: number | undefined, primitives: readonly Primitive[], geometry: Geometry | undefined): number {
+  if (id === undefined || kindOf(primitives[id]!.shape).triangleDistance) return NO_PRIMITIVE;
   const slot = geometry?.shapes.get(id);
-  return slot === undefined ? id : primitiveCount + slot;
+  return slot === undefined ? id : primitives.length + slot;
 }
 
 /** Bounds and fronts of lights, and bounds of primitives, where the shader looks them up: see `emitScene`. */

@@ -3,7 +3,7 @@ import { bodyOf } from "../lights/lights";
 import { length, subtract } from "../math/vec3";
 import type { ResolvedMaterial, ResolvedObject, ResolvedScene, Rgb, Vec3 } from "../scene/schema";
 import type { Place } from "../shapes/shape";
-import { kindOfObject, type Shape } from "../shapes/shapes";
+import { isMesh, kindOfObject, type Shape } from "../shapes/shapes";
 import type { Geometry } from "./geometry";
 
 /** Something a ray can hit. Its index in the scene is its id in the shader. */
@@ -42,7 +42,7 @@ export function* shapesOf(
 ): Generator<{ readonly id: number; readonly shape: Shape }> {
   const place = placeOf(scene, origin);
   for (const [id, object] of scene.objects.entries()) {
-    if (!kindOfObject(object).isTriangles) yield { id, shape: shapeOf(object, place) };
+    if (!isMesh(object)) yield { id, shape: shapeOf(object, place) };
   }
   for (const [i, { body }] of bodiesOf(scene).entries()) {
     yield { id: scene.objects.length + i, shape: shapeOf(body, place) };

@@ -17,7 +17,7 @@ export const GEOMETRY_BINDINGS: Readonly<Record<GeometryPart, Binding>> = {
   nodes: { binding: 5, feature: "TREE", row: 4096 * 2 },
   items: { binding: 6, feature: "TREE", row: 2048 * 3 },
   normals: { binding: 7, feature: "SMOOTH" },
-  shiningTriangles: { binding: 8, feature: "MESH_LIGHTS" },
+  emissiveTriangles: { binding: 8, feature: "LIGHT_PICKS" },
   uvs: { binding: 9, feature: "TEXTURES" },
   texels: { binding: 10, feature: "TEXTURES" },
 };

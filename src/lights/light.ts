@@ -66,8 +66,29 @@ export function sum(rgb: Rgb): number {
   return rgb[0] + rgb[1] + rgb[2];
 }
 
+/** How a point on a light is drawn. */
+export type LightSampler = {
+  /** Functions that `sample` and `baseline` call, by the shader module of this folder that has them. */
+  readonly calls: Readonly<Record<string, readonly string[]>>;
+  /**
+   * A WGSL expression for a `LightSample` of radiance 1, of the point `p` that is lit, the `light`, a random point `u` of the
+   * unit square and, for a light of many parts, another one, `pick`.
+   */
+  readonly sample: string;
+  /** The same for the baseline estimator, where that draws otherwise. */
+  readonly baseline?: string;
+  /**
+   * How dense samples are: uniform on the area; uniform in the cone that a ball fills, where `sphereLightPdf` tells how dense; or
+   * never where a ray could go.
+   */
+  readonly measure: "area" | "cone" | "none";
+};
+
+/** A kind of light that `sampler` samples: surfaces that emit, or lights of a scene's list. */
+export type LightKind = { readonly sampler: LightSampler };
+
 /** A kind of light in a scene's list of them. */
-export type SceneLight<L> = {
+export type SceneLight<L> = LightKind & {
   /** The same light in another unit of length. */
   readonly measure: (light: L, to: Measure) => L;
   /** The black object, of some material, that shines for it with a radiance: rays can hit it. */

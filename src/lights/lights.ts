@@ -1,17 +1,21 @@
-// Every kind of light, a line each.
+// Every kind of light, a line each. To add one: its entry in the scene's schema, its file and shader module here, and a line below.
 
 import type { ResolvedLight, ResolvedObject, Rgb, Vec3 } from "../scene/schema";
-import type { Light, SceneLight } from "./light";
+import { quad, triangle } from "./area";
+import type { Light, LightKind, LightSampler, SceneLight } from "./light";
+import { mesh } from "./mesh";
 import { point } from "./point";
 import { sphere } from "./sphere";
 
-const SCENE_LIGHTS = { point, sphere } as const satisfies {
-  readonly [K in ResolvedLight["type"]]: SceneLight<ResolvedLight & { type: K }>;
-};
+type InScenes = { readonly [K in ResolvedLight["type"]]: SceneLight<ResolvedLight & { type: K }> };
+
+/** In the order in which the shader numbers them. */
+const LIGHT_KINDS = { sphere, quad, triangle, point, mesh } as const satisfies InScenes &
+  Readonly<Record<string, LightKind>>;
 
 /** Everything there is to know of a light's kind. TypeScript does not correlate a union with its table. */
 export function kindOfLight({ type }: ResolvedLight): SceneLight<ResolvedLight> {
-  return SCENE_LIGHTS[type] as unknown as SceneLight<ResolvedLight>;
+  return LIGHT_KINDS[type] as unknown as SceneLight<ResolvedLight>;
 }
 
 /** See `SceneLight`. */
@@ -24,10 +28,21 @@ export function lightsOf(light: ResolvedLight, origin: Vec3): Light[] {
   return kindOfLight(light).lights?.(light, origin) ?? [];
 }
 
-/** Ways to sample a light, by their number in `wgsl/lights.wgsl`. */
-export const LIGHT_KINDS = { sphere: 0, quad: 1, triangle: 2, point: 3, mesh: 4 } as const;
+/** What the expressions of all kinds call: shader modules of this folder, and their functions. */
+export const LIGHT_CALLS: readonly (readonly [module: string, functions: readonly string[]])[] = [
+  ...new Map(Object.values(LIGHT_KINDS).flatMap(({ sampler }) => Object.entries(sampler.calls))),
+];
 
-/** Of a kind of light in the shader. */
-export function numberOfLight(kind: string): number {
-  return LIGHT_KINDS[kind as keyof typeof LIGHT_KINDS];
+const NAMES: readonly string[] = Object.keys(LIGHT_KINDS);
+
+/** The number of a light's kind in the shader. */
+export function tagOf({ kind }: Light): number {
+  return NAMES.indexOf(kind);
+}
+
+/** How a light is sampled. */
+export function samplerOf({ kind }: Light): LightSampler {
+  const name = NAMES.find((each) => each === kind) as keyof typeof LIGHT_KINDS | undefined;
+  if (!name) throw new TypeError(`no light is sampled as a ${kind}`);
+  return LIGHT_KINDS[name].sampler;
 }

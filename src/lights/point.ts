@@ -21,4 +21,5 @@ export const point: SceneLight<ResolvedLight & { type: "point" }> = {
       },
     ];
   },
+  sampler: { calls: { point: ["samplePosition"] }, sample: "samplePosition(p, light.position)", measure: "none" },
 };

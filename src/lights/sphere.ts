@@ -11,4 +11,10 @@ export const sphere: SceneLight<ResolvedLight & { type: "sphere" }> = {
     // Of a diffuse sphere that gives `power` watts: power / (4π²·radius²), by area × π.
     radiance: scale(power, 1 / (4 * Math.PI ** 2 * radius ** 2)),
   }),
+  sampler: {
+    calls: { sphere: ["sampleSphere", "sampleSphereSurface"] },
+    sample: "sampleSphere(p, light.position, light.size, u)",
+    baseline: "sampleSphereSurface(p, light.position, light.size, u)",
+    measure: "cone",
+  },
 };

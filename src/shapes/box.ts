@@ -59,7 +59,7 @@ export const box: ShapeKind<ResolvedObject & { type: "box" }, Box> = {
     const bound = { center: shape.center, radius: length(shape.halfSize) };
     return facesOf(shape).map((face) => flatLight("quad", face, radiance, primitive, bound));
   },
-  imports: { box: ["boxIntersect", "boxNormal", "turnedBoxIntersect"] },
+  calls: ["boxIntersect", "boxNormal", "turnedBoxIntersect"],
   emit: ({ center, halfSize, turn }, id, values) => {
     const body = `${values.vec3(center)}, ${values.vec3(halfSize)}`;
     const [cosine, sine] = [Math.cos(turn ?? 0), Math.sin(turn ?? 0)];

@@ -2,12 +2,13 @@ import { ALL_ROUND, sum } from "../lights/light";
 import { add, length, scale, subtract } from "../math/vec3";
 import type { ResolvedObject, Vec3 } from "../scene/schema";
 import type { ShapeKind, Triangles } from "./shape";
+import { TRIANGLE_DISTANCE } from "./triangle";
 
 /** What holds its triangles; see `Triangles`. */
 export type Mesh = Triangles & { readonly kind: "mesh" };
 
 export const mesh: ShapeKind<ResolvedObject & { type: "mesh" }, Mesh> = {
-  isTriangles: true,
+  triangleDistance: TRIANGLE_DISTANCE,
   measure: (object, { coordinate }) => ({ ...object, positions: object.positions.map(coordinate) }),
   place: (_, { triangles }) => {
     if (!triangles) throw new TypeError("the geometry of a mesh has not been prepared");
@@ -37,5 +38,5 @@ export const mesh: ShapeKind<ResolvedObject & { type: "mesh" }, Mesh> = {
     const position: Vec3 = [light.first, light.count, 0];
     return [{ ...ALL_ROUND, kind: "mesh", position, size: light.area, radiance, primitive, strength, bound }];
   },
-  imports: {},
+  calls: [],
 };

@@ -25,7 +25,7 @@ export const plane: ShapeKind<ResolvedObject & { type: "plane" }, Plane> = {
   row: ({ normal }) => [...normal, 0],
   anchor: ({ point }) => [...point, 1],
   lights: () => [],
-  imports: { planar: ["planeIntersect", "planeIntersectX", "planeIntersectY", "planeIntersectZ"] },
+  calls: ["planeIntersect", "planeIntersectX", "planeIntersectY", "planeIntersectZ"],
   emit: ({ point, normal, axis }, _, values) => {
     if (axis) return { distance: `planeIntersect${axis}(ray, ${values.scalar(point["XYZ".indexOf(axis)]!)})` };
     return { distance: `planeIntersect(ray, ${values.vec3(point)}, ${values.vec3(normal)})` };

@@ -59,7 +59,7 @@ export const quad: ShapeKind<ResolvedObject & { type: "quad" }, Quad> = {
     const bound = ballAround(cornersOf(shape));
     return [flatLight("quad", [corner, edge1, edge2], radiance, primitive, bound, normal)];
   },
-  imports: { planar: ["quadIntersect", "quadIntersectX", "quadIntersectY", "quadIntersectZ"] },
+  calls: ["quadIntersect", "quadIntersectX", "quadIntersectY", "quadIntersectZ"],
   emit: (shape, _, values) => {
     const { edge1, edge2, normal, axis } = shape;
     const { middle, duals } = dualsOf(shape);

@@ -54,8 +54,8 @@ export type ItemRow = { readonly vectors: readonly [Vec3, Vec3, Vec3]; readonly 
  * @typeParam S - the shape, relative to the shader's origin.
  */
 export type ShapeKind<O, S> = {
-  /** Whether its objects are meshes, whose triangles go into the tree. */
-  readonly isTriangles?: true;
+  /** Of meshes, whose triangles go into the tree: a WGSL expression of `shear` and `item`. */
+  readonly triangleDistance?: string;
   /** The same object in another unit of length. */
   readonly measure: (object: O, to: Measure) => O;
   readonly place: (object: O, place: Place) => S;
@@ -82,8 +82,8 @@ export type ShapeKind<O, S> = {
   readonly anchor: (shape: S) => Vec4;
   /** What next-event estimation samples where it emits `radiance` and is the primitive of that number. */
   readonly lights: (shape: S, radiance: Rgb, primitive: number) => Light[];
-  /** Names of the shader module beside this file that generated code calls, by module. */
-  readonly imports: Readonly<Record<string, readonly string[]>>;
+  /** Functions of the shader module beside its file that the expressions below call. */
+  readonly calls: readonly string[];
   /** Its test, with its values unrolled into the program; `id` is what a ray names that starts on it. Absent if never met so. */
   readonly emit?: (shape: S, id: number, values: Numbers) => EmittedShape;
   /** As one of many in a loop over `scene.<table>`. */

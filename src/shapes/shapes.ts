@@ -17,6 +17,9 @@ export const SHAPE_KINDS = { plane, triangle, sphere, quad, box, mesh } as const
   readonly [K in ResolvedObject["type"]]: ShapeKind<ResolvedObject & { type: K }, Shape & { kind: K }>;
 };
 
+/** An object whose triangles go into the tree. */
+export type MeshObject = Parameters<typeof mesh.place>[0];
+
 /** Everything there is to know of a shape's kind. TypeScript does not correlate a union with its table. */
 export type AnyKind = ShapeKind<ResolvedObject, Shape>;
 
@@ -27,6 +30,11 @@ export function kindOf({ kind }: Shape): AnyKind {
 /** Likewise of an object of the scene. */
 export function kindOfObject({ type }: ResolvedObject): AnyKind {
   return SHAPE_KINDS[type] as unknown as AnyKind;
+}
+
+/** Whether an object's triangles go into the tree. */
+export function isMesh(object: ResolvedObject): object is MeshObject {
+  return kindOfObject(object).triangleDistance !== undefined;
 }
 
 /** See `ShapeKind`. */
@@ -45,15 +53,24 @@ export type LoopTable = NonNullable<AnyKind["loop"]>;
 /** Tables of what no tree can hold. */
 export const LOOPS: readonly LoopTable[] = ALL.flatMap(({ loop }) => loop ?? []);
 
-// A mesh has two kinds of items: triangles that run counter-clockwise seen from their front, and those that run clockwise.
+// The first two are triangles of meshes: see `tree.wgsl`.
 const FIRST_ITEM = 2;
 const WITH_ITEMS = ALL.filter(({ item }) => item !== undefined);
 
 /** What the shader's tree can hold beside the triangles of meshes, by its number there. */
 export const ITEMS = WITH_ITEMS.map(({ item }, i) => ({ tag: FIRST_ITEM + i, ...item! }));
 
-/** A shape as an item of the tree: its kind's number, three vectors and a number. */
-export function itemOf(shape: Shape): ItemRow & { readonly tag: number } {
-  const kind = kindOf(shape);
-  return { tag: FIRST_ITEM + WITH_ITEMS.indexOf(kind), ...kind.item!.row(shape) };
+/** The number of a shape's kind in the tree. */
+export function itemTag(shape: Shape): number {
+  return FIRST_ITEM + WITH_ITEMS.indexOf(kindOf(shape));
 }
+
+/** A shape as an item of the tree. */
+export function itemOf(shape: Shape): ItemRow & { readonly tag: number } {
+  return { tag: itemTag(shape), ...kindOf(shape).item!.row(shape) };
+}
+
+/** What the expressions of each kind call: shader modules of this folder, and their functions. */
+export const SHAPE_CALLS: readonly (readonly [module: string, functions: readonly string[]])[] = Object.entries(
+  SHAPE_KINDS,
+).map(([name, { calls }]) => [name, calls]);

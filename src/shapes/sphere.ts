@@ -36,7 +36,7 @@ export const sphere: ShapeKind<ResolvedObject & { type: "sphere" }, Sphere> = {
     const bound = { center: position, radius: size };
     return [{ ...ALL_ROUND, kind: "sphere", position, size, radiance, primitive, strength, bound }];
   },
-  imports: { sphere: ["hugeSphereIntersect", "sphereIntersect"] },
+  calls: ["hugeSphereIntersect", "sphereIntersect"],
   emit: ({ center, radius, foot }, id, values) => {
     if (foot) {
       const [at, spoke] = [foot, subtract(foot, center)].map((vector) => values.vec3(vector));

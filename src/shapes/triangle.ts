@@ -12,6 +12,9 @@ export type Triangle = {
   readonly normal: Vec3;
 };
 
+/** To an item of the tree that is a triangle. */
+export const TRIANGLE_DISTANCE = "triangleIntersect(shear, item.a, item.b, item.c)";
+
 // Twice the area, as a share of the longest edge squared, that the rounding of coordinates as written may make of a line.
 const LEAST_AREA = 1e-12;
 
@@ -54,13 +57,13 @@ export const triangle: ShapeKind<ResolvedObject & { type: "triangle" }, Triangle
     const light = flatLight("triangle", edges, radiance, primitive, ballAround(vertices), normal);
     return light.size > 0 ? [light] : [];
   },
-  imports: { planar: ["triangleIntersect"] },
+  calls: ["triangleIntersect"],
   emit: ({ vertices }, _, values) => {
     const inOrder = inCommonOrder(vertices).map((vertex) => values.vec3(vertex));
     return { distance: `triangleIntersect(shear, ${inOrder.join(", ")})` };
   },
   item: {
     row: ({ vertices }) => ({ vectors: inCommonOrder(vertices) as [Vec3, Vec3, Vec3], w: 0 }),
-    distance: "triangleIntersect(shear, item.a, item.b, item.c)",
+    distance: TRIANGLE_DISTANCE,
   },
 };

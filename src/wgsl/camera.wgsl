@@ -1,6 +1,6 @@
 import package::constants::NONE;
 import package::ray::{Ray, makeRay};
-import package::uniforms::frame;
+import package::frameUniforms::frame;
 
 // A ray through point u in [0, 1)² of the pixel. Pixel (0, 0) is at the top left. It starts where the scene begins, so that
 // distances, and with them the digits of what it hits, are the scene's own, however far the camera is.

@@ -5,8 +5,8 @@ const PIXEL = 0u;
 // Of the rays that look for lamps.
 const LAMP_PIXEL = 0x80000000u;
 const LIGHT = 1u;
-// Added to the dimension of LIGHT, of the triangle of a mesh that shines.
-const LIGHT_TRIANGLE = 0x20000000u;
+// Added to the dimension of LIGHT: which part of a light of many parts.
+const LIGHT_PICK = 0x20000000u;
 const DIRECTION = 2u;
 // x: lobe, y: roulette.
 const LOBE = 3u;

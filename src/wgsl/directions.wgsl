@@ -1,5 +1,5 @@
 // Directions from points in [0, 1)². Local frame, z = n.
-import package::order::greater;
+import package::minMax::greater;
 
 // (cos φ, sin φ) for φ = 2π·turns, turns in [0, 1], to 8·2⁻²³. WGSL's own may be off by 2⁻¹¹, and are by 2e-4 on a software
 // adapter: directions would not be unit, and points not on their sphere.

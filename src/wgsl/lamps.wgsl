@@ -11,7 +11,7 @@ import package::dimensions::LAMP_PIXEL;
 import package::sampler::{Sampler, point, subsample};
 import package::scene::closestHit;
 import package::surface::surfaceAt;
-import package::uniforms::{countRay, frame};
+import package::frameUniforms::{countRay, frame};
 
 // Rays per path.
 const LAMP_RAYS = 8u;

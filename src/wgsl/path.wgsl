@@ -2,19 +2,20 @@
 //
 // [1] Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", sections 9.2 and 10.2
 // [2] Arvo, Kirk 1990, "Particle Transport and Image Synthesis"
-import package::bsdf::{bsdfEval, bsdfSample};
+import package::lobes::bsdf::{bsdfEval, bsdfSample};
 import package::camera::cameraRay;
 import package::constants::NONE;
 import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
-import package::frame::{toLocal, toWorld};
+import package::basis::{toLocal, toWorld};
 import package::lamps::inLampWindow;
-import package::lights::{lightShareOf, sampleLight, trianglePick};
-import package::order::{greater, lesser};
+import package::lights::light::{lightShareOf, sampleLight, lightPick};
+import package::minMax::{greater, lesser};
 import package::ray::makeRay;
 import package::sampler::{Sampler, independent, point, subsample};
 import package::scene::{closestHit, environment, occluded};
-import package::surface::{Surface, primitiveOf, surfaceAt};
-import package::uniforms::{countRay, frame};
+import package::surface::{Surface, surfaceAt};
+import package::surfacePoint::primitiveOf;
+import package::frameUniforms::{countRay, frame};
 
 // Paths shorter than this are never ended at random. [2]
 const ROULETTE_DEPTH = 4u;
@@ -84,7 +85,7 @@ fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec4f {
 
 @if(LIGHTS)
 fn oneLight(surface: Surface, samples: Sampler, dimension: u32, sampleCount: f32) -> vec4f {
-  let light = sampleLight(surface, point(samples, dimension), trianglePick(samples, dimension));
+  let light = sampleLight(surface, point(samples, dimension), lightPick(samples, dimension));
   let f = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi));
   let weight = select(powerHeuristic(sampleCount * light.pdf, f.a), 1.0, light.pdf == 0.0);
   var reflected = f.rgb * light.estimate * weight;

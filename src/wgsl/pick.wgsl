@@ -2,7 +2,7 @@
 import package::camera::cameraRay;
 import package::constants::NONE;
 import package::scene::closestHit;
-import package::surface::primitiveOf;
+import package::surfacePoint::primitiveOf;
 
 struct Found {
   // Primitive; NONE where there is nothing.

@@ -1,16 +1,15 @@
 // What a ray finds where it hits.
-import package::box::boxNormal;
-import package::bsdf::{Bsdf, specularShare};
-import package::constants::{INSIDE, NONE};
-import package::frame::{Frame, frameAround, toLocal};
-import package::lights::sphereLightPdf;
-import package::mesh::{MeshPoint, consistentNormal, meshPoint};
-import package::multiscatter::multiscatterGain;
-import package::order::greater;
+import package::basis::{Frame, frameAround, toLocal};
+import package::constants::NONE;
+import package::lights::sphere::sphereLightPdf;
+import package::lobes::bsdf::{Bsdf, specularShare};
+import package::lobes::multiscatter::multiscatterGain;
+import package::minMax::greater;
 import package::ray::{Hit, Ray};
-import package::tree::{BOX, Item, TURNED_TRIANGLE, itemAt};
+import package::scene::{F0Of, factorsOf, alphaOf, diffuseOf, emissionOf, f0Of, f90Of, lightDensityOf, multiscatterOf, schlickBeckmannOf};
+import package::shapes::mesh::consistentNormal;
+import package::surfacePoint::{SurfacePoint, sourceAt, surfacePoint};
 import package::textures::{colorAt, dataAt};
-import package::scene::{F0Of, PRIMITIVES, factorsOf, alphaOf, anchorOf, diffuseOf, emissionOf, f0Of, f90Of, lightDensityOf, multiscatterOf, schlickBeckmannOf, shapeNormal, shapeOf};
 
 // Packed by compile/packScene.ts, one per primitive.
 struct Material {
@@ -47,94 +46,28 @@ struct Surface {
 }
 
 fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
-  var id = hit.id;
-  @if(TREE) var item: Item;
-  @if(TREE) let isItem = hit.id >= PRIMITIVES;
-  @if(TREE) {
-    if (isItem) {
-      item = itemAt(hit.id - PRIMITIVES);
-      id = item.id;
-    }
-  }
-  @if(MESHES) let isTriangle = isItem & (item.kind <= TURNED_TRIANGLE);
-  @if(MESHES) var triangle: MeshPoint;
-  @if(MESHES) {
-    if (isTriangle) { triangle = meshPoint(ray, hit.t, hit.id - PRIMITIVES, item); }
-  }
-  let shape = shapeOf(id);
-  var p = ray.o + hit.t * ray.d;
-  var n = shape.xyz;
-  @if(RIMS) {
-    // Back onto the plane, and by a few ULP towards the middle: a point on the edge of a wall then lies on the inner side of
-    // the next wall, where the ray that found it came from.
-    let anchor = anchorOf(id);
-    let q = p - anchor.xyz;
-    p = select(p, anchor.xyz + anchor.w * (q - dot(q, n) * n), shape.w == 0.0);
-  }
-  @if(SPHERES) let isSphere = shape.w > 0.0;
-  @if(HUGE_SPHERES) let isHuge = isSphere & (anchorOf(id).w > 0.0);
-  @if(HUGE_SPHERES) let flight = p;
-  @if(SPHERES) {
-    // Back onto the sphere: the point is then as exact as the radius, however far the ray came.
-    let radial = normalize(select(n, p - shape.xyz, isSphere));
-    p = select(p, shape.xyz + shape.w * radial, isSphere);
-    n = radial;
-  }
-  @if(HUGE_SPHERES) {
-    let anchor = anchorOf(id);
-    let g = flight - anchor.xyz;
-    let spoke = anchor.xyz - shape.xyz;
-    let f = g + spoke;
-    let height = dot(g, g + 2.0 * spoke) / (length(f) + shape.w);
-    n = select(n, normalize(f), isHuge);
-    p = select(p, flight - height * n, isHuge);
-  }
-  @if(BOXES) n = shapeNormal(ray, id, p, n);
-  @if(TREE_BOXES) {
-    if (isItem & (item.kind == BOX)) { n = boxNormal(ray, p, item.a, item.b, item.c.xy, hit.id); }
-  }
-  @if(MESHES) n = select(n, triangle.n, isTriangle);
-  let cosine = -dot(ray.d, n);
-  var front = cosine > 0.0;
-  @if(SPHERES) {
-    // A sphere is met from the side the ray starts on; at grazing angles rounding would have it otherwise now and then. Of a
-    // huge one the origin's side is the less certain.
-    let toOrigin = ray.o - shape.xyz;
-    let startsInside = (ray.source == (hit.id | INSIDE)) | (dot(toOrigin, toOrigin) < shape.w * shape.w);
-    @if(!HUGE_SPHERES) front = select(front, !startsInside, isSphere);
-    @if(HUGE_SPHERES) front = select(front, !startsInside, isSphere & !isHuge);
-  }
-
+  let found = surfacePoint(ray, hit);
   var surface: Surface;
-  surface.p = p;
-  var facing = select(-n, n, front);
-  @if(MESHES) surface.p = select(p, triangle.p + triangle.clearance * facing, isTriangle);
+  surface.p = found.p;
+  var n = select(-found.n, found.n, found.front);
+  @if(MESHES) surface.p += found.clearance * n;
   @if(SHADING_NORMALS) {
-    surface.ng = facing;
-    let shading = select(-triangle.shading, triangle.shading, front);
-    facing = select(facing, consistentNormal(shading, facing, -ray.d), isTriangle);
+    surface.ng = n;
+    let shading = select(-found.shading, found.shading, found.front);
+    n = select(n, consistentNormal(shading, n, -ray.d), found.isTriangle);
   }
-  surface.frame = frameAround(facing);
+  surface.frame = frameAround(n);
   surface.wo = toLocal(surface.frame, -ray.d);
   var uv = vec2f(0.0);
-  @if(TEXTURES) uv = triangle.uv;
-  surface.bsdf = bsdfOf(id, surface.wo.z, uv);
+  @if(TEXTURES) uv = found.uv;
+  surface.bsdf = bsdfOf(found.id, surface.wo.z, uv);
   @if(EMISSION) {
-    surface.Le = select(vec3f(0.0), emissionOf(id), front);
-    @if(EMISSION_TEXTURES) surface.Le *= colorAt(factorsOf(id).emissionTexture, uv);
-    surface.lightPdf = lightPdf(lightDensityOf(id), shape, ray, hit.t, cosine);
+    surface.Le = select(vec3f(0.0), emissionOf(found.id), found.front);
+    @if(EMISSION_TEXTURES) surface.Le *= colorAt(factorsOf(found.id).emissionTexture, uv);
+    surface.lightPdf = lightPdf(lightDensityOf(found.id), ray, hit.t, found);
   }
-  surface.source = hit.id;
-  // Only a closed shape can be hit again from where the ray leaves it.
-  @if((SPHERES || BOXES) && !MESHES) surface.source |= select(INSIDE, 0u, front || shape.w == 0.0);
-  @if((SPHERES || BOXES) && MESHES) surface.source |= select(INSIDE, 0u, front || shape.w == 0.0 || isTriangle);
+  surface.source = sourceAt(found, hit);
   return surface;
-}
-
-// The primitive of what a ray hits: of a triangle of a mesh, the mesh.
-fn primitiveOf(id: u32) -> u32 {
-  @if(TREE) return select(id, itemAt(id - PRIMITIVES).id, id >= PRIMITIVES);
-  @if(!TREE) return id;
 }
 
 // How a primitive scatters, seen under cosO, at texture coordinates. Reads only what the scene's materials make use of: every
@@ -171,8 +104,11 @@ fn bsdfOf(id: u32, cosO: f32, uv: vec2f) -> Bsdf {
 }
 
 @if(EMISSION)
-fn lightPdf(density: f32, shape: vec4f, ray: Ray, t: f32, cosine: f32) -> f32 {
-  let flat = density * t * t / greater(abs(cosine), 1e-18);
-  @if(SPHERE_EMITTERS) return select(flat, density * sphereLightPdf(ray.o, shape.xyz, shape.w), shape.w > 0.0);
-  @if(!SPHERE_EMITTERS) return flat;
+fn lightPdf(density: f32, ray: Ray, t: f32, found: SurfacePoint) -> f32 {
+  let flat = density * t * t / greater(abs(dot(ray.d, found.n)), 1e-18);
+  @if(!EMISSIVE_BALLS) return flat;
+  @if(EMISSIVE_BALLS) {
+    let ball = found.shape;
+    return select(flat, density * sphereLightPdf(ray.o, ball.xyz, ball.w), ball.w > 0.0);
+  }
 }

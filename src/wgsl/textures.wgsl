@@ -1,7 +1,7 @@
 // Textures of meshes, filtered here: texels are in one buffer, so that pictures of any size and number need one binding, and
 // nothing is scaled. Level 0 only: a pixel's samples filter it.
 import package::constants::NONE;
-import package::order::{greater, lesser};
+import package::minMax::{greater, lesser};
 import package::scene::{factorsOf, textureOf};
 
 // Red, green, blue, alpha of all textures, a byte each from the lowest on; rows from the top. Written by the renderer when the

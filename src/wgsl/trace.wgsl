@@ -4,7 +4,7 @@ import package::film::{FilmPixel, filmAdd};
 import package::lamps::{inLampWindow, lampLight};
 import package::sampler::makeSampler;
 import package::slice::slicePixel;
-import package::uniforms::{frame, rayCount};
+import package::frameUniforms::{frame, rayCount};
 
 // Radiance sums and, in w, the number of samples in them. Half 0, then half 1; rows from the top. Written here only.
 @group(0) @binding(2) var<storage, read_write> film: array<vec4f>;

@@ -8,21 +8,19 @@
 // [1] Aila, Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs"
 // [2] Ize 2013, "Robust BVH Ray Traversal", JCGT 2(2)
 // [3] Ylitie, Karras, Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs"
-import package::box::turnedBoxIntersect;
 import package::constants::FAR;
-import package::order::{greater, lesser};
-import package::planar::{Shear, quadIntersect, shearOf, triangleIntersect};
+import package::minMax::{greater, lesser};
 import package::ray::{Hit, Ray, between, nearer};
-import package::sphere::sphereIntersect;
-import package::scene::{PRIMITIVES, STACK_SIZE};
+import package::scene::{PRIMITIVES, STACK_SIZE, itemIntersect};
+import package::shapes::triangle::shearOf;
 
 // Two texels each, rows of 4096 nodes; see compile/packTree.ts. Written by the renderer when the geometry changes.
 @group(0) @binding(5) var nodes: texture_2d<u32>;
 // Three texels each, rows of 2048 slots; see compile/packItems.ts. Written by the renderer when the geometry changes.
 @group(0) @binding(6) var items: texture_2d<u32>;
 
-// A triangle: its vertices, in the order of compile/rims.ts. A sphere: centre and, in w, radius. A quad: centre, dual vectors of
-// its half edges and, in w, the length of the longer one. A box: centre, half size, cosine and sine of its turn.
+// Three vectors and a number, as the file of its kind packs them; of a triangle of a mesh its vertices, in the order of
+// shapes/rims.ts.
 struct Item {
   a: vec3f,
   b: vec3f,
@@ -33,13 +31,10 @@ struct Item {
   kind: u32,
 }
 
+// Kinds of items, before those that shapes.ts numbers: a triangle of a mesh.
 const MESH_TRIANGLE = 0u;
 // Its vertices run clockwise seen from its front.
 const TURNED_TRIANGLE = 1u;
-const TRIANGLE = 2u;
-const SPHERE = 3u;
-const QUAD = 4u;
-const BOX = 5u;
 
 // A link is the index of a node, or LEAF, how many items the leaf has and the slot of the first.
 const LEAF = 0x80000000u;
@@ -63,17 +58,6 @@ fn itemAt(slot: u32) -> Item {
   let b = textureLoad(items, at + vec2u(1u, 0u), 0);
   let c = textureLoad(items, at + vec2u(2u, 0u), 0);
   return Item(bitcast<vec3f>(a.xyz), bitcast<vec3f>(b.xyz), bitcast<vec3f>(c.xyz), bitcast<f32>(c.w), a.w, b.w);
-}
-
-// Distance to an item that a ray would name `id`, not positive for a miss.
-fn itemIntersect(ray: Ray, shear: Shear, slot: u32, id: u32) -> f32 {
-  let item = itemAt(slot);
-  var t = -1.0;
-  @if(TREE_TRIANGLES) t = triangleIntersect(shear, item.a, item.b, item.c);
-  @if(TREE_SPHERES) t = select(t, sphereIntersect(ray, item.a, item.w, id), item.kind == SPHERE);
-  @if(TREE_QUADS) t = select(t, quadIntersect(ray, item.a, cross(item.b, item.c), item.b, item.c, item.w), item.kind == QUAD);
-  @if(TREE_BOXES) t = select(t, turnedBoxIntersect(ray, item.a, item.b, item.c.xy, id), item.kind == BOX);
-  return t;
 }
 
 // The nearer of `found` and what the ray meets in the tree.

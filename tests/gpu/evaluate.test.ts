@@ -8,7 +8,16 @@ import { wgslFunctions } from "../support/wgsl/evaluate";
 const COUNT = 2_000;
 const NONE = 0xffffffffn;
 const ULP = 2 ** -23;
-const MODULES = ["constants", "order", "ray", "box", "planar", "sphere"];
+const MODULES = [
+  "constants",
+  "minMax",
+  "ray",
+  "shapes/box",
+  "shapes/plane",
+  "shapes/quad",
+  "shapes/triangle",
+  "shapes/sphere",
+];
 
 // Each meets a ray, in `box`, by three vectors from the inputs.
 const CALLS = {
@@ -29,10 +38,11 @@ test("functions evaluated on the CPU give what the device gives, up to what WGSL
   }
   const names = Object.keys(CALLS);
   const wgsl = `
-    import package::box::{boxIntersect, turnedBoxIntersect};
-    import package::planar::{quadIntersect, shearOf, triangleIntersect};
+    import package::shapes::box::{boxIntersect, turnedBoxIntersect};
+    import package::shapes::quad::quadIntersect;
+    import package::shapes::triangle::{shearOf, triangleIntersect};
     import package::ray::{Ray, makeRay};
-    import package::sphere::sphereIntersect;
+    import package::shapes::sphere::sphereIntersect;
     fn meet(call: u32, ray: Ray, a: vec3f, b: vec3f, c: vec3f) -> f32 {
       ${Object.values(CALLS)
         .map((call, k) => `if (call == ${k}u) { return ${call}; }`)

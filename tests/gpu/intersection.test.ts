@@ -117,7 +117,7 @@ async function trace(scene: ResolvedScene, rays: readonly Ray[], inTree: number)
   const words = await runProbe({
     wgsl: `
       import package::constants::{INSIDE, NONE};
-      import package::frame::{toLocal, toWorld};
+      import package::basis::{toLocal, toWorld};
       import package::ray::makeRay;
       import package::scene::{closestHit, occluded};
       import package::surface::surfaceAt;

@@ -152,14 +152,15 @@ async function sampleLights({ objects = [], lights = [] }: Emitting, points: rea
   const count = points.length * SAMPLES;
   const words = await runProbe({
     wgsl: `
-      import package::bsdf::Bsdf;
+      import package::lobes::bsdf::Bsdf;
       import package::constants::NONE;
-      import package::frame::frameAround;
-      import package::lights::{lightShareOf, sampleLight, trianglePick};
+      import package::basis::frameAround;
+      import package::lights::light::{lightShareOf, sampleLight, lightPick};
       import package::ray::makeRay;
       import package::sampler::{makeSampler, point};
       import package::scene::closestHit;
-      import package::surface::{Surface, primitiveOf, surfaceAt};
+      import package::surface::{Surface, surfaceAt};
+      import package::surfacePoint::primitiveOf;
       fn probe(i: u32) {
         let p = bitcast<vec4f>(inputs[i / ${SAMPLES}u]).xyz;
         let samples = makeSampler(vec2u(i / ${SAMPLES}u, 0u), 0u, 11u, i % ${SAMPLES}u);
@@ -168,7 +169,7 @@ async function sampleLights({ objects = [], lights = [] }: Emitting, points: rea
         seen.frame = frameAround(normalize(select(-p, vec3f(0.0, 0.0, 1.0), all(p == vec3f(0.0)))));
         seen.wo = vec3f(sqrt(0.5), 0.0, sqrt(0.5));
         seen.bsdf = Bsdf(vec3f(0.5), vec3f(0.04), 0.04, 1.0, 0.16, 0.0, 0.3, vec3f(1.0));
-        let light = sampleLight(seen, point(samples, 1u), trianglePick(samples, 0u));
+        let light = sampleLight(seen, point(samples, 1u), lightPick(samples, 0u));
         let row = bitcast<vec4u>(vec4f(light.distance, light.pdf, light.estimate.r, 0.0));
         outputs[2u * i] = vec4u(row.xyz, light.id);
         let ray = makeRay(p, light.wi, NONE);

@@ -110,7 +110,7 @@ test("what a light is expected to give is finite, leaves mirrors out, and is not
   ];
   const words = await runProbe({
     wgsl: `
-      import package::bsdf::{Bsdf, bsdfExpect};
+      import package::lobes::bsdf::{Bsdf, bsdfExpect};
       fn probe(i: u32) {
         let wi = bitcast<vec4f>(inputs[2u * i]);
         let surface = bitcast<vec4f>(inputs[2u * i + 1u]);

@@ -1,14 +1,17 @@
 // Whether a change of the compiler changes what it makes: node src/cli/run.mjs tests/reports/programs.ts OUT.json [BEFORE.json]
+// With --pictures as well, whether the pictures stay the same: of every tenth scene, with either program.
 //
 // Writes a digest of every program, uniform and tree of the reference scenes, of each shape with each material and light, and of
 // random scenes, and names those that differ from an earlier file. Of a program's text comments, white space and the order of
 // its declarations do not count.
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
+import { requestDawnDevice } from "../../src/cli/dawn";
 import { compileScene } from "../../src/compile/compileScene";
 import type { ProgramSettings } from "../../src/compile/features";
 import { prepareGeometry } from "../../src/compile/geometry";
 import { linkProgram } from "../../src/compile/linkProgram";
+import { PathTracer } from "../../src/renderer/pathTracer";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Scene } from "../../src/scene/schema";
 import { CROWDS, LIGHTS, MATERIALS, meshScenes, PRIMITIVES, sceneOf } from "../shaders/programs";
@@ -19,12 +22,15 @@ const RANDOM_SCENES = 60;
 
 type Digests = Record<string, string>;
 
-export async function main([out, before]: string[]): Promise<void> {
-  if (out === undefined) throw new Error("usage: programs.ts OUT.json [BEFORE.json]");
+export async function main(args: string[]): Promise<void> {
+  const [out, before] = args.filter((arg) => !arg.startsWith("--"));
+  if (out === undefined) throw new Error("usage: programs.ts OUT.json [BEFORE.json] [--pictures]");
+  const device = args.includes("--pictures") ? await requestDawnDevice() : undefined;
   const digests: Digests = {};
   let count = 0;
   for (const [name, scene] of scenes()) {
     await digest(name, scene, digests);
+    if (device && count % 10 === 0) await digestPictures(name, scene, device, digests);
     count++;
   }
   writeFileSync(out, `${JSON.stringify(digests, null, 1)}\n`);
@@ -85,6 +91,26 @@ async function digest(name: string, scene: Scene, digests: Digests): Promise<voi
   if (!geometry) return;
   const buffers = Object.values(geometry.data).filter((data) => data instanceof ArrayBuffer);
   digests[`${name}: geometry`] = buffers.map((buffer) => hash(new Uint8Array(buffer))).join(" ");
+}
+
+async function digestPictures(name: string, scene: Scene, device: GPUDevice, digests: Digests): Promise<void> {
+  for (const [title, settings] of Object.entries(SETTINGS)) {
+    for (const constants of [false, true]) {
+      const tracer = await PathTracer.create({
+        scene,
+        width: 24,
+        height: 24,
+        settings: { ...settings, constants },
+        device,
+      });
+      if (constants) await tracer.compile();
+      await tracer.sample(4);
+      digests[`${name}: ${title}, picture${constants ? ", at rest" : ""}`] = hash(
+        new Uint8Array((await tracer.readRadiance()).buffer),
+      );
+      tracer.dispose();
+    }
+  }
 }
 
 function hash(data: string | Uint8Array): string {

@@ -44,7 +44,7 @@ async function run(materials: readonly Material[], inputs: readonly BsdfInput[],
   for (const [i, { material = 0, wo, x }] of inputs.entries()) floats.set([...wo, material, ...x, 0], 8 * i);
   const words = await runProbe({
     wgsl: `
-      import package::bsdf::{bsdfEval, bsdfSample};
+      import package::lobes::bsdf::{bsdfEval, bsdfSample};
       import package::surface::bsdfOf;
       fn probe(i: u32) {
         let a = bitcast<vec4f>(inputs[2u * i]);

@@ -6,11 +6,15 @@ import { geometryLayout } from "../../src/gpu/geometryLayout";
 import { createComputePipeline } from "../../src/gpu/pipelines";
 import { SceneGeometry } from "../../src/gpu/sceneGeometry";
 
-/** The shader modules of `src/wgsl`, as `compile/linkProgram.ts` names them. */
+/** The shader modules of `src`, as `compile/linkProgram.ts` names them. */
 const MODULES: Readonly<Record<string, string>> = Object.fromEntries(
   Object.entries(
-    import.meta.glob<string>("../../src/wgsl/*.wgsl", { query: "?raw", import: "default", eager: true }),
-  ).map(([path, text]) => [path.replace("../../src/wgsl/", "./"), text]),
+    import.meta.glob<string>("../../src/{wgsl,shapes,lights,lobes}/*.wgsl", {
+      query: "?raw",
+      import: "default",
+      eager: true,
+    }),
+  ).map(([path, text]) => [path.replace(/^\.\.\/\.\.\/src\/(wgsl\/)?/, "./"), text]),
 );
 
 export type Probe = {

@@ -11,9 +11,9 @@ export const INSIDE = 0x80000000;
 export type Method = "ours" | "textbook";
 
 const TEXTBOOK: Readonly<Record<string, string>> = Object.fromEntries(
-  Object.entries(import.meta.glob<string>("./textbook/*.wgsl", { query: "?raw", import: "default", eager: true })).map(
-    ([path, text]) => [path.replace("./textbook/", "./"), text],
-  ),
+  Object.entries(
+    import.meta.glob<string>("./textbook/**/*.wgsl", { query: "?raw", import: "default", eager: true }),
+  ).map(([path, text]) => [path.replace("./textbook/", "./"), text]),
 );
 
 /**
@@ -71,7 +71,7 @@ export async function traceRays(scene: Scene, rays: Rays, method: Method = "ours
   const words = await runProbe({
     wgsl: `
       import package::constants::NONE;
-      import package::frame::toWorld;
+      import package::basis::toWorld;
       import package::ray::makeRay;
       import package::scene::closestHit;
       import package::surface::surfaceAt;

@@ -104,7 +104,7 @@ describe(`${SAMPLES} points, χ² with p > ${level.toExponential(1)}, seed 1,`, 
     const n = cross(edge1, edge2);
     const area = Math.hypot(...n) / (kind === "quad" ? 1 : 2);
     const samples = await sample(
-      `samplePlanar(vec3f(0.0), Light(${vec3(corner)}, ${area.toExponential()}, ${vec3(edge1)}, QUAD_LIGHT, ${vec3(edge2)}, 0u, vec3f(1.0), ${vec3(scale(n, 1 / Math.hypot(...n)))}), ${kind === "quad" ? "u" : "squareToTriangle(u)"})`,
+      `samplePlanar(vec3f(0.0), Light(${vec3(corner)}, ${area.toExponential()}, ${vec3(edge1)}, 0u, ${vec3(edge2)}, 0u, vec3f(1.0), ${vec3(scale(n, 1 / Math.hypot(...n)))}), ${kind === "quad" ? "u" : "squareToTriangle(u)"})`,
       randomPairs(1),
     );
     const coordinates = samples.map(({ wi, distance }): [number, number] => {
@@ -193,14 +193,16 @@ async function sample(expression: string, u: readonly (readonly [number, number]
 async function probe(first: string, u: readonly (readonly [number, number])[], body = "", second = "vec4f()") {
   const words = await runProbe({
     wgsl: `
-      import package::lights::{Light, QUAD_LIGHT, samplePlanar, sampleSphere, squareToTriangle};
+      import package::lights::area::{samplePlanar, squareToTriangle};
+      import package::lights::light::Light;
+      import package::lights::sphere::sampleSphere;
       fn probe(i: u32) {
         let u = bitcast<vec4f>(inputs[i]).xy;
         ${body}
         outputs[2u * i] = bitcast<vec4u>(${first});
         outputs[2u * i + 1u] = bitcast<vec4u>(${second});
       }`,
-    conditions: { SPHERE_LIGHTS: true, QUAD_LIGHTS: true, TRIANGLE_LIGHTS: true },
+    conditions: {},
     modules: { "./scene.wgsl": "" },
     count: u.length,
     inputs: new Float32Array(u.flatMap(([x, y]) => [x, y, 0, 0])),

@@ -128,7 +128,7 @@ function ringMeans(image: Float32Array, size: number, radius: number, rings = 8)
 async function deviceLoss(pairs: readonly (readonly [cosine: number, alpha: number])[]): Promise<Float32Array> {
   const words = await runProbe({
     wgsl: `
-      import package::multiscatter::multiscatterLoss;
+      import package::lobes::multiscatter::multiscatterLoss;
       fn probe(i: u32) {
         let input = bitcast<vec4f>(inputs[i]);
         outputs[i].x = bitcast<u32>(multiscatterLoss(input.x, input.y));

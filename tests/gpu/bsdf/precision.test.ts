@@ -153,9 +153,9 @@ async function worstErrors(inputs: readonly Numbers[], ours: string, textbook: s
     wgsl: `
       import package::constants::PI;
       import package::directions::circle;
-      import package::fresnel::schlickWeight;
-      import package::ggx::{ggxD, ggxPdf, ggxVisibility, schlickBeckmannVisibility};
-      import package::lights::coneOneMinusCos;
+      import package::lobes::fresnel::schlickWeight;
+      import package::lobes::ggx::{ggxD, ggxPdf, ggxVisibility, schlickBeckmannVisibility};
+      import package::lights::sphere::coneOneMinusCos;
 
       fn k(alpha: f32) -> f32 { return alpha * sqrt(2.0 / PI); }
 
@@ -176,7 +176,7 @@ async function worstErrors(inputs: readonly Numbers[], ours: string, textbook: s
         let x = bitcast<vec4f>(inputs[i]);
         outputs[i] = bitcast<vec4u>(vec4f(${ours}, ${textbook}, 0.0, 0.0));
       }`,
-    conditions: { SPHERE_LIGHTS: true },
+    conditions: {},
     modules: { "./scene.wgsl": "" },
     count: inputs.length,
     inputs: new Float32Array(inputs.flat()),

@@ -115,7 +115,7 @@ test.each([1e-6, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1])(
         return normalize([tangent * Math.cos(phi), tangent * Math.sin(phi), 1]);
       });
       const densities = await probe(
-        `import package::ggx::ggxPdf; const alpha = ${alpha.toExponential()};`,
+        `import package::lobes::ggx::ggxPdf; const alpha = ${alpha.toExponential()};`,
         normals,
         `vec4f(ggxPdf(${wo[2].toExponential()}, x.xyz, alpha))`,
       );
@@ -137,10 +137,11 @@ function ggxConfiguration(alpha: number, degrees: number): Configuration {
   return {
     name: `ggxSample, α = ${alpha}, ${degrees}°`,
     polar: normals(alpha),
-    sample: (u) => probe(`import package::ggx::ggxSample; ${constants}`, u, "vec4f(ggxSample(wo, alpha, x.xy), 1.0)"),
+    sample: (u) =>
+      probe(`import package::lobes::ggx::ggxSample; ${constants}`, u, "vec4f(ggxSample(wo, alpha, x.xy), 1.0)"),
     density: async (ms) => {
       const densities = await probe(
-        `import package::ggx::ggxPdf; ${constants}`,
+        `import package::lobes::ggx::ggxPdf; ${constants}`,
         ms,
         "vec4f(ggxPdf(wo.z, x.xyz, alpha))",
       );

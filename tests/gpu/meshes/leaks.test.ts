@@ -69,6 +69,10 @@ afterAll(() =>
 // An edge of which a face is seen under less than this cosine may be the outline for a ray that is off by rounding.
 const LEAST_COSINE = 0.01;
 
+// How far from its ends rays meet an edge, as a share of it: some thirty times what they are off by rounding. A vertex there may be
+// part of the outline, which a ray that is off by rounding passes.
+const END = 1e-4;
+
 /** Rays at points of edges and vertices all of whose triangles are turned to the ray, and the distances to those points. */
 function raysAtEdges(mesh: MeshData, middle: Vec3, target: Vec3, side: "outside" | "inside") {
   const triangles = Array.from({ length: mesh.indices.length / 3 }, (_, i) =>
@@ -92,7 +96,7 @@ function raysAtEdges(mesh: MeshData, middle: Vec3, target: Vec3, side: "outside"
     const triangle = Math.floor(triangles.length * random());
     const [first, second] = [Math.floor(3 * random()), Math.floor(3 * random())];
     const [a, b] = [triangles[triangle]![first]!, triangles[triangle]![second]!];
-    const aim = add(a, scale(subtract(b, a), random()));
+    const aim = add(a, scale(subtract(b, a), END + (1 - 2 * END) * random()));
     const faces = facesAround([...new Set([first, second])].map((corner) => mesh.indices[3 * triangle + corner]!));
     // Anything within 0.2 of the middle is inside; what is beyond 0.55 of it, outside.
     const reach = SIZE * (side === "inside" ? 0.2 * random() : 0.6 + 2 * random());

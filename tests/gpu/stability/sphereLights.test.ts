@@ -104,7 +104,7 @@ async function sampleGrid(radius: number, distance: number) {
   const words = await runProbe({
     wgsl: `
       import package::cone::coneSolidAngle;
-      import package::lights::sampleLight;
+      import package::lights::light::sampleLight;
       import package::surface::Surface;
       fn probe(i: u32) {
         let u = (vec2f(f32(i % ${GRID}u), f32(i / ${GRID}u)) + 0.5) / ${GRID}.0;

@@ -5,8 +5,12 @@ import { type Choices, negated, nextAbove, Product, round, type Scalar, sum, val
 
 const SOURCES: Readonly<Record<string, string>> = Object.fromEntries(
   Object.entries(
-    import.meta.glob<string>("../../../src/wgsl/*.wgsl", { query: "?raw", import: "default", eager: true }),
-  ).map(([path, text]) => [path.replace(/.*\/(\w+)\.wgsl/, "$1"), text]),
+    import.meta.glob<string>("../../../src/{wgsl,shapes,lights,lobes}/*.wgsl", {
+      query: "?raw",
+      import: "default",
+      eager: true,
+    }),
+  ).map(([path, text]) => [path.replace(/.*\/src\/(?:wgsl\/)?(.*)\.wgsl/, "$1"), text]),
 );
 
 /** f32 as numbers, u32 as bigints, vectors as arrays, structs by their fields. */

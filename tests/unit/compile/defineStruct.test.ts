@@ -60,16 +60,16 @@ test("typed arrays are as good as arrays", () => {
 });
 
 const MIRRORED = [
-  ["Factors", "textures", FACTORS],
-  ["Material", "surface", MATERIAL],
-  ["Texture", "textures", TEXTURE],
-  ["Light", "lights", LIGHT],
-  ["FrameUniforms", "uniforms", FRAME],
-  ["View", "blit", VIEW],
+  ["Factors", "wgsl/textures", FACTORS],
+  ["Material", "wgsl/surface", MATERIAL],
+  ["Texture", "wgsl/textures", TEXTURE],
+  ["Light", "lights/light", LIGHT],
+  ["FrameUniforms", "wgsl/frameUniforms", FRAME],
+  ["View", "wgsl/blit", VIEW],
 ] as const;
 
-test.each(MIRRORED)("%s in wgsl/%s.wgsl and its table in TypeScript are the same struct", (name, module, layout) => {
-  const wgsl = readFileSync(new URL(`../../../src/wgsl/${module}.wgsl`, import.meta.url), "utf8");
+test.each(MIRRORED)("%s in %s.wgsl and its table in TypeScript are the same struct", (name, module, layout) => {
+  const wgsl = readFileSync(new URL(`../../../src/${module}.wgsl`, import.meta.url), "utf8");
   const declared = parseStruct(wgsl, name);
   expect(Object.entries(layout.fields)).toEqual(declared);
 

@@ -97,45 +97,31 @@ describe("lobes", () => {
 });
 
 test("shapes are those of the objects; a sphere light is a sphere", () => {
-  const shapes = ({ SPHERES, BOXES, TRIANGLES }: Features) => ({ SPHERES, BOXES, TRIANGLES });
-  const none = { SPHERES: false, BOXES: false, TRIANGLES: false };
+  const shapes = ({ BALLS, SOLIDS }: Features) => ({ BALLS, SOLIDS });
+  const none = { BALLS: false, SOLIDS: false };
   expect(shapes(featuresOf([FLOOR("lambert"), QUAD("lambert")]))).toEqual(none);
-  expect(shapes(featuresOf([BALL("lambert")]))).toEqual({ ...none, SPHERES: true });
-  expect(shapes(featuresOf([BOX("lambert")]))).toEqual({ ...none, BOXES: true });
-  expect(shapes(featuresOf([TRIANGLE("lambert")]))).toEqual({ ...none, TRIANGLES: true });
-  expect(shapes(featuresOf([FLOOR("lambert")], [BULB]))).toEqual({ ...none, SPHERES: true });
+  expect(shapes(featuresOf([BALL("lambert")]))).toEqual({ ...none, BALLS: true });
+  expect(shapes(featuresOf([BOX("lambert")]))).toEqual({ ...none, SOLIDS: true });
+  expect(shapes(featuresOf([TRIANGLE("lambert")]))).toEqual(none);
+  expect(shapes(featuresOf([FLOOR("lambert")], [BULB]))).toEqual({ ...none, BALLS: true });
   expect(shapes(featuresOf([FLOOR("lambert")], [POINT]))).toEqual(none);
 });
 
-const LIGHTS = [
-  "EMISSION",
-  "SPHERE_EMITTERS",
-  "LIGHTS",
-  "SPHERE_LIGHTS",
-  "QUAD_LIGHTS",
-  "TRIANGLE_LIGHTS",
-  "POINT_LIGHTS",
-  "ONE_LIGHT_KIND",
-] as const;
+const LIGHTS = ["EMISSION", "EMISSIVE_BALLS", "LIGHTS"] as const;
 
 describe("lights", () => {
   const glow: Record<string, Material> = { glow: { ior: 1, emission: [1, 1, 1] } };
 
   test.each<[string, SceneObject[], Light[], (typeof LIGHTS)[number][]]>([
     ["none", [BALL("lambert")], [], []],
-    ["a point", [], [POINT], ["LIGHTS", "POINT_LIGHTS", "ONE_LIGHT_KIND"]],
-    ["a sphere light", [], [BULB], ["EMISSION", "SPHERE_EMITTERS", "LIGHTS", "SPHERE_LIGHTS", "ONE_LIGHT_KIND"]],
-    [
-      "a glowing sphere",
-      [BALL("glow")],
-      [],
-      ["EMISSION", "SPHERE_EMITTERS", "LIGHTS", "SPHERE_LIGHTS", "ONE_LIGHT_KIND"],
-    ],
-    ["a glowing quad", [QUAD("glow")], [], ["EMISSION", "LIGHTS", "QUAD_LIGHTS", "ONE_LIGHT_KIND"]],
-    ["a glowing box", [BOX("glow")], [], ["EMISSION", "LIGHTS", "QUAD_LIGHTS", "ONE_LIGHT_KIND"]],
-    ["a glowing triangle", [TRIANGLE("glow")], [], ["EMISSION", "LIGHTS", "TRIANGLE_LIGHTS", "ONE_LIGHT_KIND"]],
+    ["a point", [], [POINT], ["LIGHTS"]],
+    ["a sphere light", [], [BULB], ["EMISSION", "EMISSIVE_BALLS", "LIGHTS"]],
+    ["a glowing sphere", [BALL("glow")], [], ["EMISSION", "EMISSIVE_BALLS", "LIGHTS"]],
+    ["a glowing quad", [QUAD("glow")], [], ["EMISSION", "LIGHTS"]],
+    ["a glowing box", [BOX("glow")], [], ["EMISSION", "LIGHTS"]],
+    ["a glowing triangle", [TRIANGLE("glow")], [], ["EMISSION", "LIGHTS"]],
     ["a glowing plane, which has no area to sample", [FLOOR("glow")], [], ["EMISSION"]],
-    ["a glowing quad and a point", [QUAD("glow")], [POINT], ["EMISSION", "LIGHTS", "QUAD_LIGHTS", "POINT_LIGHTS"]],
+    ["a glowing quad and a point", [QUAD("glow")], [POINT], ["EMISSION", "LIGHTS"]],
   ])("%s", (_, objects, lights, expected) => {
     const features = featuresOf(objects, lights, glow);
     expect(LIGHTS.filter((light) => features[light])).toEqual(expected);

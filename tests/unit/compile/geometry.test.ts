@@ -47,7 +47,7 @@ test("a mesh that begins to glow gets its table of triangles, and the tree stays
   const after = (await prepare(scene({ objects: glowing }), before))!;
   expect(after.data.nodes).toBe(before.data.nodes);
   expect(after.lights.get(0)).toMatchObject({ first: 0, count: 12, area: 24 });
-  expect(after.data.shiningTriangles?.byteLength).toBe(16 * 12);
+  expect(after.data.emissiveTriangles?.byteLength).toBe(16 * 12);
 });
 
 test("vertices are relative to the target, and exact far from the origin", async () => {

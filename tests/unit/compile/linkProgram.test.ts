@@ -93,11 +93,13 @@ describe("the shader contains only what the scene needs", () => {
 
   test("one kind of light brings one way to sample it", async () => {
     const samplers = async (lights: Light[], it: Material = { ior: 1 }) =>
-      (await functionsOf([FLOOR, INTERSECTORS.quad![1]], lights, it)).filter((name) => /^sample(?!Light)/.test(name));
+      (await functionsOf([FLOOR, INTERSECTORS.quad![1]], lights, it)).filter((name) =>
+        /^sample(?!Light|Kind)/.test(name),
+      );
     expect(await samplers([BULB])).toEqual(["sampleSphere"]);
-    expect(await samplers([POINT])).toEqual(["samplePoint"]);
+    expect(await samplers([POINT])).toEqual(["samplePosition"]);
     expect(await samplers([], { ior: 1, emission: [1, 1, 1] })).toEqual(["samplePlanar"]);
-    expect((await samplers([BULB, POINT])).sort()).toEqual(["samplePoint", "sampleSphere"]);
+    expect((await samplers([BULB, POINT])).sort()).toEqual(["samplePosition", "sampleSphere"]);
   });
 
   test("independent points need no Sobol sequence", async () => {

@@ -11,13 +11,13 @@ import { type Run, type Value, wgslFunctions } from "../../support/wgsl/evaluate
 
 const NONE = 0xffffffffn;
 const ULP = 2 ** -23;
-const BOX = wgslFunctions(["constants", "order", "ray", "box"]);
-const PLANAR = wgslFunctions(["constants", "ray", "planar"]);
+const BOX = wgslFunctions(["constants", "minMax", "ray", "shapes/box"]);
+const PLANAR = wgslFunctions(["constants", "ray", "shapes/plane", "shapes/quad", "shapes/triangle"]);
 
 // What boxes were until an H200 found rays that enter them where they start.
 const OLD_BOX = wgslFunctions([
   "constants",
-  "order",
+  "minMax",
   "ray",
   `fn boxIntersect(ray: Ray, center: vec3f, halfSize: vec3f, id: u32) -> f32 {
     let middle = (center - ray.o) * ray.inverse;

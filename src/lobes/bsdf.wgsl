@@ -6,9 +6,9 @@
 // Directions are unit, in the local frame (z = n, on wo's side). wo points to the viewer, wi to the light.
 import package::constants::INV_PI;
 import package::directions::{cosineHemisphere, uniformHemisphere};
-import package::fresnel::schlickWeight;
-import package::ggx::{ggxPdf, ggxSample, ggxVisibility, ggxD, schlickBeckmannVisibility};
-import package::order::{greater, lesser};
+import package::lobes::fresnel::schlickWeight;
+import package::lobes::ggx::{ggxPdf, ggxSample, ggxVisibility, ggxD, schlickBeckmannVisibility};
+import package::minMax::{greater, lesser};
 
 // Directions closer to the surface count as below it: the square of the half vector's length may underflow.
 const LEAST_COSINE = 1e-18;

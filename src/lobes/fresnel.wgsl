@@ -1,7 +1,7 @@
 // Schlick's approximation.
 //
 // [1] Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15
-import package::order::greater;
+import package::minMax::greater;
 
 // (1 − cos)⁵
 fn schlickWeight(cosTheta: f32) -> f32 {

@@ -5,7 +5,7 @@
 //
 // [1] Turquin 2019, "Practical multiple scattering compensation for microfacet models"
 // [2] Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2)
-import package::order::greater;
+import package::minMax::greater;
 
 // The share of light from above that a white microsurface, seen under cosTheta, does not reflect: 1 − E(cosTheta, alpha).
 //

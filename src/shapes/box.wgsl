@@ -3,7 +3,7 @@
 // [1] Kay, Kajiya 1986, "Ray Tracing Complex Scenes"
 // [2] Ize 2013, "Robust BVH Ray Traversal", JCGT 2(2)
 import package::constants::{INSIDE, NEAR};
-import package::order::{greater, lesser};
+import package::minMax::{greater, lesser};
 import package::ray::{Ray, safeInverse};
 
 // Rounding of the slab distances can let a ray slip between two faces; widening the exit closes the gap. [2] eq. 4

@@ -9,7 +9,7 @@
 // [4] Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"
 import package::constants::{PI};
 import package::directions::circle;
-import package::order::greater;
+import package::minMax::greater;
 
 // Density of microfacet normals, per steradian. [1] eq. 33, with 1 − cos² written as sin² so that it survives alpha → 0
 fn ggxD(wm: vec3f, alpha: f32) -> f32 {

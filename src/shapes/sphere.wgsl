@@ -2,7 +2,7 @@
 //
 // [1] Haines, Günther, Akenine-Möller 2019, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems ch. 7
 import package::constants::{INSIDE, NEAR};
-import package::order::{greater, lesser};
+import package::minMax::{greater, lesser};
 import package::ray::Ray;
 
 // Distance to the nearest intersection in front of the origin, <= 0 for a miss.

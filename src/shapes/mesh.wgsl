@@ -4,7 +4,7 @@
 // [2] Keller et al. 2017, "The Iray Light Transport Simulation and Rendering System", appendix A.3
 // [3] Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2)
 import package::constants::NONE;
-import package::order::{greater, lesser};
+import package::minMax::{greater, lesser};
 import package::ray::Ray;
 import package::scene::factorsOf;
 import package::textures::{Factors, dataAt};

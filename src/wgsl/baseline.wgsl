@@ -1,16 +1,16 @@
 // The baseline estimator, as in the real-time ray tracer this project grew from: uniform hemisphere directions of density
 // 1/2π, light points uniform on the emitter's surface, no multiple importance sampling. Same expectation as path.wgsl.
-import package::bsdf::{bsdfEval, bsdfSampleUniform};
+import package::lobes::bsdf::{bsdfEval, bsdfSampleUniform};
 import package::camera::cameraRay;
 import package::constants::NONE;
 import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
-import package::frame::{toLocal, toWorld};
-import package::lights::{sampleLight, trianglePick};
+import package::basis::{toLocal, toWorld};
+import package::lights::light::{sampleLight, lightPick};
 import package::ray::makeRay;
 import package::sampler::{Sampler, point, subsample};
 import package::scene::{closestHit, environment, occluded};
 import package::surface::{Surface, surfaceAt};
-import package::uniforms::{countRay, frame};
+import package::frameUniforms::{countRay, frame};
 
 fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   var L = vec3f(0.0);
@@ -57,7 +57,7 @@ fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
 
 @if(LIGHTS)
 fn oneLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
-  let light = sampleLight(surface, point(samples, dimension), trianglePick(samples, dimension));
+  let light = sampleLight(surface, point(samples, dimension), lightPick(samples, dimension));
   var reflected = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi)).rgb * light.estimate;
   @if(SHADING_NORMALS) reflected *= select(0.0, 1.0, dot(light.wi, surface.ng) > 0.0);
   if (all(reflected == vec3f(0.0))) { return vec3f(0.0); }

@@ -1,0 +1,95 @@
+// Writes the part of the shader module `scene` that finds what a ray meets.
+
+import type { Light } from "../lights/light";
+import type { EmittedShape } from "../shapes/shape";
+import { ITEMS, itemTag, kindOf, kindOfObject, SHAPE_CALLS, type Shape } from "../shapes/shapes";
+import { emitBlockingLoops, emitClosestLoops } from "./emitLoops";
+import type { Geometry } from "./geometry";
+import type { Primitive } from "./primitives";
+import type { Unrolling } from "./unrolling";
+import type { Values } from "./values";
+
+/** Shader modules of shapes, and what the text below calls of them. */
+export const SHAPE_IMPORTS = SHAPE_CALLS.filter(([, functions]) => functions.length > 0)
+  .map(([module, functions]) => `import package::shapes::${module}::{${functions.join(", ")}};\n`)
+  .join("");
+
+/**
+ * `closestHit`, `occluded`, and what the shader has to ask of single kinds of shapes: `shapeNormal` and, for the tree,
+ * `itemIntersect` and `itemNormal`.
+ *
+ * @param blocks - whether primitive `id` can come between a shaded point and a light.
+ */
+export function emitShapes(
+  primitives: readonly Primitive[],
+  lights: readonly Light[],
+  unrolling: Unrolling,
+  geometry: Geometry | undefined,
+  values: Values,
+  blocks: (id: number) => boolean,
+): string {
+  const sampled = new Set(lights.map((light) => light.primitive));
+  const emitted = unrolling.unrolled.map((id) => ({ id, ...emitShape(primitives[id]!.shape, id, values) }));
+  const isSheared = emitted.some(({ distance }) => distance.includes("(shear,"));
+  const shear = isSheared ? "  let shear = shearOf(ray);\n" : "";
+  const closest = emitted.map(({ id, distance }) => `  hit = nearer(hit, ${distance}, ${id}u, ray);\n`);
+  const blockers = emitted.map(({ id, distance }) => {
+    const isTarget = sampled.has(id);
+    if (isTarget && lights.length === 1) return ""; // a light never hides itself
+    if (!blocks(id)) return "";
+    const other = isTarget ? ` & (target_ != ${id}u)` : "";
+    return `  blocked |= between(${distance}, distance, ${id}u, ray)${other};\n`;
+  });
+  const normals = emitted.map(({ id, normal }) => (normal ? `  n = select(n, ${normal}, id == ${id}u);\n` : ""));
+  return `
+fn closestHit(ray: Ray) -> Hit {
+${shear}  var hit = noHit();
+${closest.join("")}${emitClosestLoops(unrolling)}${geometry ? "  hit = treeClosest(ray, hit);\n" : ""}  return hit;
+}
+
+// Whether something other than \`target_\` lies between the ray's origin and the point at \`distance\`.
+fn occluded(ray: Ray, distance: f32, target_: u32) -> bool {
+${shear}  var blocked = false;
+${blockers.join("")}${emitBlockingLoops(unrolling)}${geometry ? "  if (!blocked) { blocked = treeOccludes(ray, distance, target_); }\n" : ""}  return blocked;
+}
+
+// Outward normals of solids.
+fn shapeNormal(ray: Ray, id: u32, p: vec3f, otherwise: vec3f) -> vec3f {
+  var n = otherwise;
+${normals.join("")}  return n;
+}
+${geometry ? emitItems(geometry) : ""}`;
+}
+
+function emitShape(shape: Shape, id: number, values: Values): EmittedShape {
+  const { emit } = kindOf(shape);
+  if (!emit) throw new TypeError(`a ${shape.kind} is never unrolled`);
+  return emit(shape, id, values);
+}
+
+/** The numbers of the kinds of shapes in a tree. */
+export function itemTags({ treeShapes }: Geometry): ReadonlySet<number> {
+  return new Set(treeShapes.map(({ shape }) => itemTag(shape)));
+}
+
+function emitItems(geometry: Geometry): string {
+  const tags = itemTags(geometry);
+  const items = ITEMS.filter(({ tag }) => tags.has(tag));
+  const ofMesh = geometry.parts[0] && kindOfObject(geometry.parts[0].object).triangleDistance;
+  const first = ofMesh ?? items[0]!.distance;
+  const others = items.filter(({ distance }) => distance !== first);
+  const distances = others.map(({ tag, distance }) => `  t = select(t, ${distance}, item.kind == ${tag}u);\n`);
+  const normals = items.map(({ tag, normal }) => (normal ? `  if (item.kind == ${tag}u) { return ${normal}; }\n` : ""));
+  return `
+// Distance to an item that a ray would name \`id\`, not positive for a miss.
+fn itemIntersect(ray: Ray, shear: Shear, slot: u32, id: u32) -> f32 {
+  let item = itemAt(slot);
+  var t = ${first};
+${distances.join("")}  return t;
+}
+
+fn itemNormal(ray: Ray, id: u32, item: Item, p: vec3f, otherwise: vec3f) -> vec3f {
+${normals.join("")}  return otherwise;
+}
+`;
+}
