@@ -6,22 +6,18 @@ import type { Stats } from "../renderer/stats";
 import type { ResolvedCamera, Scene } from "../scene/schema";
 import { OBSERVED_ATTRIBUTES, settingOfAttribute } from "./attributes";
 import { parseCameraOrbit } from "./cameraOrbit";
-import { createKeyHelp, labelCanvas } from "./canvasLabel";
 import { canvasSize } from "./canvasSize";
-import { Curtain } from "./curtain";
-import { describeError, missingWebGpu } from "./describeError";
+import { missingWebGpu } from "./describeError";
 import { pickDetail, type RtViewerEventMap } from "./events";
+import { Face } from "./face";
 import { fetchScene } from "./fetchScene";
-import { LiveRegion } from "./liveRegion";
 import type { LoadProgressDetail } from "./loadProgress";
-import { MessageBox } from "./messageBox";
 import type { PanelHost, PanelSource } from "./panelHost";
 import type { PickingTarget } from "./picking";
 import { ReflectedElement } from "./reflectedElement";
 import { RenderLoop } from "./renderLoop";
 import type { EditedTracer, SceneEdits } from "./sceneEdits";
 import { Stage } from "./stage";
-import { elementStyles } from "./styles";
 import { currentBox, watchBox, watchNearness, watchReducedMotion, watchVisibility } from "./watchers";
 
 /** How long an element may be out of the document before it gives back the GPU: a move in the document costs nothing. */
@@ -51,12 +47,8 @@ const DISPOSAL_GRACE_MS = 10;
 export class RtViewerElement extends ReflectedElement {
   static readonly observedAttributes = OBSERVED_ATTRIBUTES;
 
-  readonly #canvas: HTMLCanvasElement;
-  readonly #curtain: Curtain;
-  readonly #liveRegion: LiveRegion;
-  readonly #message: MessageBox;
-  readonly #corner: HTMLElement;
-  /** Of the corner; its code is loaded when the panel is asked for. */
+  readonly #face: Face;
+  /** Its code is loaded when the panel is asked for. */
   #panel: PanelHost | undefined;
   /** The connection whose clicks pick. */
   #picking: AbortSignal | undefined;
@@ -80,35 +72,17 @@ export class RtViewerElement extends ReflectedElement {
 
   constructor() {
     super();
-    const root = this.attachShadow({ mode: "open", delegatesFocus: true });
-    root.adoptedStyleSheets = [elementStyles()];
-    this.#canvas = this.ownerDocument.createElement("canvas");
-    this.#canvas.setAttribute("part", "canvas");
-    this.#curtain = new Curtain(this.ownerDocument);
-    this.#liveRegion = new LiveRegion(this.ownerDocument);
-    this.#message = new MessageBox(this.ownerDocument);
-    this.#corner = this.ownerDocument.createElement("div");
-    this.#corner.className = "panel";
-    this.#corner.setAttribute("part", "panel");
-    root.append(
-      this.#canvas,
-      this.#curtain.element,
-      this.#corner,
-      this.#message.element,
-      this.#liveRegion.element,
-      createKeyHelp(this.ownerDocument),
-    );
-    this.#stage = new Stage(this.#canvas, {
+    this.#face = new Face(this);
+    this.#stage = new Stage(this.#face.canvas, {
       onLoadProgress: (detail) => this.#onLoadProgress(detail),
       onScene: () => this.#onScene(),
       onReady: (detail) => {
-        this.#curtain.open();
-        this.#liveRegion.noteReady();
+        this.#face.noteReady();
         this.#emit("ready", detail);
       },
       onProgress: (detail) => this.#emit("progress", detail),
       onConverged: (detail) => {
-        this.#liveRegion.noteConverged();
+        this.#face.noteConverged();
         this.#emit("converged", detail);
       },
       onDeviceLost: (detail) => {
@@ -186,14 +160,14 @@ export class RtViewerElement extends ReflectedElement {
       this.scene = scene;
       this.#warn(warnings);
     } catch (error) {
-      if (!opening.signal.aborted) this.#curtain.hideProgress();
+      if (!opening.signal.aborted) this.#face.hideProgress();
       throw error;
     }
   }
 
   /** Throws away what has been sampled and starts over. Where a message stands in place of the picture, loads the scene again. */
   reset(): void {
-    if (this.#message.isShown) this.#load();
+    if (this.#face.hasMessage) this.#load();
     else this.tracer?.reset();
   }
 
@@ -237,9 +211,9 @@ export class RtViewerElement extends ReflectedElement {
     this.#connection = new AbortController();
     const { signal } = this.#connection;
 
-    this.#stage.size = canvasSize(currentBox(this.#canvas));
+    this.#stage.size = canvasSize(currentBox(this.#face.canvas));
     this.#stage.refresh();
-    watchBox(this.#canvas, (box) => (this.#stage.size = canvasSize(box)), signal);
+    watchBox(this.#face.canvas, (box) => (this.#stage.size = canvasSize(box)), signal);
     watchVisibility(this, (isVisible) => this.#onVisibility(isVisible), signal);
     watchReducedMotion((isReduced) => (this.#stage.isCalm = isReduced), signal);
     if (!this.#wasNear) watchNearness(this, () => this.#onNear(), signal);
@@ -272,7 +246,7 @@ export class RtViewerElement extends ReflectedElement {
     else if (name === "camera-orbit") this.#stage.orbit = parseCameraOrbit(this.cameraOrbit);
     else if (settingOfAttribute(name) !== undefined) this.settingsChanged();
     if (name === "controls") this.#label();
-    if (name === "poster" || name === "loading") this.#curtain.setPoster(this.poster, this.loading);
+    if (name === "poster" || name === "loading") this.#face.setPoster(this.poster, this.loading);
     if (this.tracer !== undefined) this.#panel?.setKnobs(this.#knobs(this.tracer));
   }
 
@@ -297,7 +271,7 @@ export class RtViewerElement extends ReflectedElement {
       return;
     }
     const { baseURI } = this.ownerDocument;
-    this.#liveRegion.noteLoading();
+    this.#face.noteLoading();
     void this.#stage.show(async (signal, report) => {
       if (typeof source !== "string") return source;
       report("fetching");
@@ -321,12 +295,12 @@ export class RtViewerElement extends ReflectedElement {
   }
 
   #onLoadProgress(detail: LoadProgressDetail): void {
-    this.#curtain.showProgress(detail);
+    this.#face.showProgress(detail);
     this.#emit("loadprogress", detail);
   }
 
   #onScene(): void {
-    this.#clearMessage();
+    this.#face.clearMessage();
     this.#showPanel();
     this.#updateLoop();
   }
@@ -346,14 +320,11 @@ export class RtViewerElement extends ReflectedElement {
   #updateLoop(): void {
     const isWanted = this.#isVisible || this.#stage.owesPicture;
     this.#loop.isRunning =
-      isWanted && this.#connection !== undefined && this.tracer !== undefined && !this.#message.isShown;
+      isWanted && this.#connection !== undefined && this.tracer !== undefined && !this.#face.hasMessage;
   }
 
   #fail(error: Error): void {
-    this.#message.show(describeError(error));
-    this.#canvas.inert = true;
-    this.#curtain.hideProgress();
-    this.#liveRegion.clear();
+    this.#face.showError(error);
     this.#updateLoop();
     this.#emit("error", { error });
   }
@@ -361,27 +332,15 @@ export class RtViewerElement extends ReflectedElement {
   #dispose(): void {
     this.#requested = undefined;
     this.#panel?.hide();
-    this.#clearMessage();
-    this.#curtain.close();
-    this.#liveRegion.clear();
+    this.#face.clear();
     this.#stage.clear();
     this.#updateLoop();
-  }
-
-  #clearMessage(): void {
-    this.#message.clear();
-    this.#canvas.inert = false;
   }
 
   #bindControls(): void {
     this.#controls?.abort();
     this.#controls = undefined;
-    if (!this.controls) {
-      this.#canvas.removeAttribute("tabindex");
-      return;
-    }
-    this.#canvas.tabIndex = 0;
-    if (this.#connection === undefined) return;
+    if (!this.controls || this.#connection === undefined) return;
     this.#controls = new AbortController();
     this.#loadControls(this.#controls.signal).catch((error: Error) => this.#emit("error", { error }));
   }
@@ -394,7 +353,7 @@ export class RtViewerElement extends ReflectedElement {
       home: () => this.tracer?.scene.camera,
       onChange: (camera: ResolvedCamera) => this.#stage.moveCamera(camera),
     };
-    bindOrbitControls(this.#canvas, target, signal);
+    bindOrbitControls(this.#face.canvas, target, signal);
   }
 
   #bindDrop(): void {
@@ -409,7 +368,7 @@ export class RtViewerElement extends ReflectedElement {
     const { bindFileDrop } = await import("./fileDrop");
     if (signal.aborted) return;
     const onFiles = (files: readonly File[]) => this.open(...files);
-    bindFileDrop(this, this.shadowRoot!, { onFiles }, signal);
+    bindFileDrop(this, this.#face.root, { onFiles }, signal);
   }
 
   #showPanel(): void {
@@ -424,9 +383,9 @@ export class RtViewerElement extends ReflectedElement {
   async #loadPanel(tracer: PathTracer): Promise<void> {
     const { PanelHost, bindPicking, createSceneEdits } = await import("./panelHost");
     if (tracer !== this.tracer || !this.showStats || this.#connection === undefined) return;
-    this.#panel ??= new PanelHost(this.#corner);
+    this.#panel ??= new PanelHost(this.#face.corner);
     const { signal } = this.#connection;
-    if (signal !== this.#picking) bindPicking(this, this.#canvas, this.#pickingTarget(this.#panel), signal);
+    if (signal !== this.#picking) bindPicking(this, this.#face.canvas, this.#pickingTarget(this.#panel), signal);
     this.#picking = signal;
     await this.#panel.show(this.#panelSource(tracer, createSceneEdits), this.getAttribute("stats") === "folded");
   }
@@ -479,7 +438,7 @@ export class RtViewerElement extends ReflectedElement {
   }
 
   #label(): void {
-    labelCanvas(this.#canvas, this.alt, this.controls);
+    this.#face.describe(this.alt, this.controls);
   }
 
   #look(): View {
