@@ -2,9 +2,8 @@ import { RtViewerError } from "../errors";
 import type { PathTracer } from "../renderer/pathTracer";
 import type { Stats } from "../renderer/stats";
 import type { ResolvedCamera, Scene } from "../scene/schema";
-import { OBSERVED_ATTRIBUTES, settingOfAttribute } from "./attributes";
+import { applyAttribute, OBSERVED_ATTRIBUTES, type ViewerParts } from "./attributes";
 import { BoundOnDemand } from "./boundOnDemand";
-import { parseCameraOrbit } from "./cameraOrbit";
 import { canvasSize } from "./canvasSize";
 import { fire } from "./events";
 import { Face } from "./face";
@@ -15,16 +14,6 @@ import { RenderLoop } from "./renderLoop";
 import { SceneLoader } from "./sceneLoader";
 import { Stage } from "./stage";
 import { currentBox, watchBox, watchNearness, watchReducedMotion, watchVisibility } from "./watchers";
-
-/** What an element consists of. */
-type ViewerParts = {
-  readonly face: Face;
-  readonly stage: Stage;
-  readonly scenes: SceneLoader;
-  readonly panel: LazyPanel;
-  readonly controls: BoundOnDemand;
-  readonly drop: BoundOnDemand;
-};
 
 /** How long an element may be out of the document before it gives back the GPU: a move in the document costs nothing. */
 const DISPOSAL_GRACE_MS = 10;
@@ -220,20 +209,8 @@ export class RtViewerElement extends ReflectedElement {
   }
 
   attributeChangedCallback(name: string): void {
-    const { face, stage, scenes, panel, controls, drop } = this.#parts;
-    if (name === "src") scenes.noteSrc();
-    else if (name === "loading") scenes.noteLoading();
-    else if (name === "controls") controls.rebind();
-    else if (name === "drop") drop.rebind();
-    else if (name === "stats") panel.show();
-    else if (name === "paused") stage.isPaused = this.paused;
-    else if (name === "exposure" || name === "tone-map") {
-      stage.look = { exposure: this.exposure, toneMap: this.toneMap };
-    } else if (name === "camera-orbit") stage.orbit = parseCameraOrbit(this.cameraOrbit);
-    else if (settingOfAttribute(name) !== undefined) this.settingsChanged();
-    if (name === "controls" || name === "alt") face.describe(this.alt, this.controls);
-    if (name === "poster" || name === "loading") face.setPoster(this.poster, this.loading);
-    panel.showKnobs();
+    applyAttribute(name, this.#parts, this);
+    this.#parts.panel.showKnobs();
   }
 
   protected override settingsChanged(): void {
