@@ -1,18 +1,29 @@
+import { TONE_MAPS } from "../gpu/blitPass";
 import { type NumberRange, SETTING_RANGES } from "../renderer/checkSettings";
+import { DEFAULT_SETTINGS } from "../renderer/settings";
+import { flag, keyword, number, numberOr, type Reflection, text } from "./attributeKinds";
+import type { BoundOnDemand } from "./boundOnDemand";
+import { parseCameraOrbit } from "./cameraOrbit";
+import type { Face } from "./face";
+import type { LazyPanel } from "./lazyPanel";
+import type { ReflectedElement } from "./reflectedElement";
+import type { SceneLoader } from "./sceneLoader";
+import type { Stage } from "./stage";
 
-/** The attributes that are settings of the tracer, by the name of the setting, and what they may be. */
-export const SETTING_ATTRIBUTES = {
-  maxBounces: { attribute: "max-bounces", ...SETTING_RANGES.maxBounces },
-  samplesPerFrame: { attribute: "samples-per-frame", ...SETTING_RANGES.samplesPerFrame },
-  lightSamples: { attribute: "light-samples", ...SETTING_RANGES.lightSamples },
-  targetError: { attribute: "target-error", ...SETTING_RANGES.targetError },
-  maxSamples: { attribute: "max-samples", ...SETTING_RANGES.maxSamples },
-} as const;
+/** What an element consists of, as far as attributes are about it. */
+export type ViewerParts = {
+  readonly face: Face;
+  readonly stage: Stage;
+  readonly scenes: SceneLoader;
+  readonly panel: LazyPanel;
+  readonly controls: BoundOnDemand;
+  readonly drop: BoundOnDemand;
+};
 
-/** A setting that has an attribute. */
-export type SettingName = keyof typeof SETTING_ATTRIBUTES;
-
-export const SETTING_NAMES = Object.keys(SETTING_ATTRIBUTES) as readonly SettingName[];
+/** An attribute: how it is read and written, and what its change does. */
+type Attribute<Value> = Reflection<Value> & {
+  readonly apply: (parts: ViewerParts, viewer: ReflectedElement) => void;
+};
 
 /** Stops; 2^±32 is more than any display or scene spans, and keeps the product finite. */
 export const EXPOSURE_RULE: NumberRange = { min: -32, max: 32, isInteger: false };
@@ -22,41 +33,74 @@ export const LOADING_MODES = ["eager", "lazy"] as const;
 
 export type LoadingMode = (typeof LOADING_MODES)[number];
 
-/** Every attribute the element reacts to. */
-export const OBSERVED_ATTRIBUTES: readonly string[] = [
-  "src",
-  "controls",
-  "drop",
-  "stats",
-  "paused",
-  "alt",
-  "poster",
-  "loading",
-  "exposure",
-  "tone-map",
-  "camera-orbit",
-  ...SETTING_NAMES.map((name) => SETTING_ATTRIBUTES[name].attribute),
-];
+const applyLook: Attribute<unknown>["apply"] = ({ stage }, { exposure, toneMap }) => {
+  stage.look = { exposure, toneMap };
+};
 
-/** The setting an attribute stands for, if any. */
-export function settingOfAttribute(attribute: string): SettingName | undefined {
-  return SETTING_NAMES.find((name) => SETTING_ATTRIBUTES[name].attribute === attribute);
+/** The attributes that are settings of the tracer. */
+export const SETTING_ATTRIBUTES = {
+  maxBounces: setting("maxBounces", "max-bounces"),
+  samplesPerFrame: setting("samplesPerFrame", "samples-per-frame"),
+  lightSamples: setting("lightSamples", "light-samples"),
+  targetError: setting("targetError", "target-error"),
+  maxSamples: setting("maxSamples", "max-samples"),
+};
+
+/** A setting that has an attribute. */
+export type SettingName = keyof typeof SETTING_ATTRIBUTES;
+
+export const SETTING_NAMES = Object.keys(SETTING_ATTRIBUTES) as readonly SettingName[];
+
+/** Every attribute the element reacts to, by its property. */
+export const ATTRIBUTES = {
+  src: { ...text("src"), apply: ({ scenes }) => scenes.noteSrc() },
+  controls: {
+    ...flag("controls"),
+    apply({ face, controls }, viewer) {
+      controls.rebind();
+      face.describe(viewer.alt, viewer.controls);
+    },
+  },
+  drop: { ...flag("drop"), apply: ({ drop }) => drop.rebind() },
+  showStats: { ...flag("stats"), apply: ({ panel }) => panel.show() },
+  paused: {
+    ...flag("paused"),
+    apply({ stage }, { paused }) {
+      stage.isPaused = paused;
+    },
+  },
+  alt: { ...text("alt"), apply: ({ face }, { alt, controls }) => face.describe(alt, controls) },
+  poster: { ...text("poster"), apply: ({ face }, { poster, loading }) => face.setPoster(poster, loading) },
+  loading: {
+    ...keyword("loading", LOADING_MODES, "eager"),
+    apply({ face, scenes }, { poster, loading }) {
+      scenes.noteLoading();
+      face.setPoster(poster, loading);
+    },
+  },
+  exposure: { ...number("exposure", EXPOSURE_RULE, 0), apply: applyLook },
+  toneMap: { ...keyword("tone-map", TONE_MAPS, "aces"), apply: applyLook },
+  cameraOrbit: {
+    ...text("camera-orbit"),
+    apply({ stage }, { cameraOrbit }) {
+      stage.orbit = parseCameraOrbit(cameraOrbit);
+    },
+  },
+  ...SETTING_ATTRIBUTES,
+} satisfies { readonly [property: string]: Attribute<unknown> };
+
+const all: readonly Attribute<unknown>[] = Object.values(ATTRIBUTES);
+
+export const OBSERVED_ATTRIBUTES: readonly string[] = all.map(({ attribute }) => attribute);
+
+/** Does what a changed attribute is there for. */
+export function applyAttribute(name: string, parts: ViewerParts, viewer: ReflectedElement): void {
+  all.find(({ attribute }) => attribute === name)?.apply(parts, viewer);
 }
 
-/** Reads one of a few words, whatever its case. An absent or other one is the fallback. */
-export function parseKeyword<T extends string>(text: string | null, words: readonly T[], fallback: T): T {
-  const wanted = text?.trim().toLowerCase();
-  return words.find((word) => word === wanted) ?? fallback;
-}
-
-/**
- * Reads a number as HTML does, forgivingly: an absent, malformed or out-of-range value is `undefined` and the default
- * applies.
- */
-export function parseNumber(text: string | null, rule: NumberRange): number | undefined {
-  if (text === null || text.trim() === "") return undefined;
-  const value = Number(text);
-  if (!(value >= rule.min && value <= rule.max)) return undefined;
-  if (rule.isInteger && !Number.isInteger(value) && value !== Number.POSITIVE_INFINITY) return undefined;
-  return value;
+function setting<Name extends keyof typeof SETTING_RANGES>(name: Name, attribute: string) {
+  const apply: Attribute<unknown>["apply"] = ({ stage }, { settings }) => {
+    stage.settings = settings;
+  };
+  return { ...numberOr(attribute, SETTING_RANGES[name], DEFAULT_SETTINGS[name]), apply };
 }

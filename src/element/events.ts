@@ -1,6 +1,5 @@
 import type { PathTracer } from "../renderer/pathTracer";
-import type { ScenePart } from "../scene/parts";
-import type { Light, ResolvedScene, SceneObject } from "../scene/schema";
+import type { Light, SceneObject } from "../scene/schema";
 import type { LoadProgressDetail } from "./loadProgress";
 
 /**
@@ -57,13 +56,6 @@ export type LoadWarningsDetail = {
   readonly warnings: readonly string[];
 };
 
-/** What the event `pick` tells of a part of the scene, or of none. */
-export function pickDetail({ objects, lights }: ResolvedScene, part: ScenePart | undefined): PickDetail {
-  if (part === undefined) return { kind: "none" };
-  const { kind, index } = part;
-  return kind === "object" ? { kind, index, object: objects[index]! } : { kind, index, light: lights[index]! };
-}
-
 /** The events of `<rt-viewer>`. None of them bubbles. */
 export interface RtViewerEventMap {
   loadprogress: CustomEvent<LoadProgressDetail>;
@@ -101,4 +93,13 @@ export interface RtViewerEventTarget extends HTMLElement {
     listener: EventListenerOrEventListenerObject,
     options?: boolean | EventListenerOptions,
   ): void;
+}
+
+/** Fires an event of `<rt-viewer>`. */
+export function fire<K extends keyof RtViewerEventMap>(
+  viewer: RtViewerEventTarget,
+  type: K,
+  detail: RtViewerEventMap[K]["detail"],
+): void {
+  viewer.dispatchEvent(new CustomEvent(type, { detail }));
 }

@@ -1,8 +1,5 @@
 import type { Panel, PanelKnobs, PanelOptions, SceneEditor, ScenePart } from "../panel/panel";
 
-export { bindPicking } from "./picking";
-export { createSceneEdits } from "./sceneEdits";
-
 /** What the panel shows and whom it tells. */
 export type PanelSource = Pick<PanelOptions, "stats" | "knobs" | "onChange" | "onReset" | "isPaused" | "wgsl"> & {
   readonly editor: SceneEditor;

@@ -1,15 +1,7 @@
-import { TONE_MAPS, type ToneMap } from "../gpu/blitPass";
+import type { ToneMap } from "../gpu/blitPass";
 import { DEFAULT_SETTINGS, type Settings } from "../renderer/settings";
-import {
-  EXPOSURE_RULE,
-  LOADING_MODES,
-  type LoadingMode,
-  parseKeyword,
-  parseNumber,
-  SETTING_ATTRIBUTES,
-  SETTING_NAMES,
-  type SettingName,
-} from "./attributes";
+import type { Reflection } from "./attributeKinds";
+import { ATTRIBUTES, type LoadingMode, SETTING_ATTRIBUTES, SETTING_NAMES } from "./attributes";
 import type { RtViewerEventTarget } from "./events";
 
 /** In bare Node and under server-side rendering there is no `HTMLElement`; importing must work all the same. */
@@ -22,26 +14,26 @@ export class ReflectedElement extends BrowserElement {
 
   /** URL of a scene file, JSON or glTF, relative to the page. Attribute `src`. Overridden by the property `scene`. */
   get src(): string {
-    return this.getAttribute("src") ?? "";
+    return ATTRIBUTES.src.read(this);
   }
   set src(value: string) {
-    this.setAttribute("src", value);
+    ATTRIBUTES.src.write(this, value);
   }
 
   /** Whether pointer, wheel and keyboard move the camera. Attribute `controls`, default off. */
   get controls(): boolean {
-    return this.hasAttribute("controls");
+    return ATTRIBUTES.controls.read(this);
   }
   set controls(value: boolean) {
-    this.toggleAttribute("controls", Boolean(value));
+    ATTRIBUTES.controls.write(this, value);
   }
 
   /** Whether a file that is dropped on the element is shown: a scene, with the files it refers to. Attribute `drop`, default off. */
   get drop(): boolean {
-    return this.hasAttribute("drop");
+    return ATTRIBUTES.drop.read(this);
   }
   set drop(value: boolean) {
-    this.toggleAttribute("drop", Boolean(value));
+    ATTRIBUTES.drop.write(this, value);
   }
 
   /**
@@ -49,34 +41,34 @@ export class ReflectedElement extends BrowserElement {
    * title only, as a small element always does.
    */
   get showStats(): boolean {
-    return this.hasAttribute("stats");
+    return ATTRIBUTES.showStats.read(this);
   }
   set showStats(value: boolean) {
-    this.toggleAttribute("stats", Boolean(value));
+    ATTRIBUTES.showStats.write(this, value);
   }
 
   /** Whether the picture rests as it is, once a view has its first sample. Attribute `paused`, default off. */
   get paused(): boolean {
-    return this.hasAttribute("paused");
+    return ATTRIBUTES.paused.read(this);
   }
   set paused(value: boolean) {
-    this.toggleAttribute("paused", Boolean(value));
+    ATTRIBUTES.paused.write(this, value);
   }
 
   /** What the picture shows, for those who do not see it. Attribute `alt`, default "". */
   get alt(): string {
-    return this.getAttribute("alt") ?? "";
+    return ATTRIBUTES.alt.read(this);
   }
   set alt(value: string) {
-    this.setAttribute("alt", value);
+    ATTRIBUTES.alt.write(this, value);
   }
 
   /** URL of an image that is shown until there is a picture. Attribute `poster`, default "". The slot `poster` overrides it. */
   get poster(): string {
-    return this.getAttribute("poster") ?? "";
+    return ATTRIBUTES.poster.read(this);
   }
   set poster(value: string) {
-    this.setAttribute("poster", value);
+    ATTRIBUTES.poster.write(this, value);
   }
 
   /**
@@ -84,10 +76,10 @@ export class ReflectedElement extends BrowserElement {
    * Attribute `loading`, default `"eager"`.
    */
   get loading(): LoadingMode {
-    return parseKeyword(this.getAttribute("loading"), LOADING_MODES, "eager");
+    return ATTRIBUTES.loading.read(this);
   }
   set loading(value: LoadingMode) {
-    this.setAttribute("loading", value);
+    ATTRIBUTES.loading.write(this, value);
   }
 
   /**
@@ -97,34 +89,34 @@ export class ReflectedElement extends BrowserElement {
    * is in `camera`, not here.
    */
   get cameraOrbit(): string {
-    return this.getAttribute("camera-orbit") ?? "";
+    return ATTRIBUTES.cameraOrbit.read(this);
   }
   set cameraOrbit(value: string) {
-    this.setAttribute("camera-orbit", value);
+    ATTRIBUTES.cameraOrbit.write(this, value);
   }
 
   /** How radiance is brought into a display's range: `"none"`, `"aces"` or `"agx"`. Attribute `tone-map`, default `"aces"`. */
   get toneMap(): ToneMap {
-    return parseKeyword(this.getAttribute("tone-map"), TONE_MAPS, "aces");
+    return ATTRIBUTES.toneMap.read(this);
   }
   set toneMap(value: ToneMap) {
-    this.setAttribute("tone-map", value);
+    ATTRIBUTES.toneMap.write(this, value);
   }
 
   /** Brightness of the picture in stops: +1 doubles it. Attribute `exposure`, −32…32, default 0. */
   get exposure(): number {
-    return parseNumber(this.getAttribute("exposure"), EXPOSURE_RULE) ?? 0;
+    return ATTRIBUTES.exposure.read(this);
   }
   set exposure(value: number) {
-    this.setAttribute("exposure", String(value));
+    ATTRIBUTES.exposure.write(this, value);
   }
 
   /** How often a path may scatter. Attribute `max-bounces`, an integer ≥ 0; default `undefined`: what the scene says. */
   get maxBounces(): number | undefined {
-    return this.#number("maxBounces");
+    return ATTRIBUTES.maxBounces.read(this);
   }
   set maxBounces(value: number | undefined) {
-    this.#reflect("maxBounces", value);
+    ATTRIBUTES.maxBounces.write(this, value);
   }
 
   /**
@@ -132,34 +124,34 @@ export class ReflectedElement extends BrowserElement {
    * many as it allows.
    */
   get samplesPerFrame(): number | "auto" {
-    return this.#number("samplesPerFrame") ?? DEFAULT_SETTINGS.samplesPerFrame;
+    return ATTRIBUTES.samplesPerFrame.read(this);
   }
   set samplesPerFrame(value: number | "auto") {
-    this.#reflect("samplesPerFrame", value);
+    ATTRIBUTES.samplesPerFrame.write(this, value);
   }
 
   /** Light points sampled at each hit. Attribute `light-samples`, an integer ≥ 1, default 1. */
   get lightSamples(): number {
-    return this.#number("lightSamples") ?? DEFAULT_SETTINGS.lightSamples;
+    return ATTRIBUTES.lightSamples.read(this);
   }
   set lightSamples(value: number) {
-    this.#reflect("lightSamples", value);
+    ATTRIBUTES.lightSamples.write(this, value);
   }
 
   /** Sampling stops at this relative RMSE (0.01 is 1 %). Attribute `target-error`, default 0: never. */
   get targetError(): number {
-    return this.#number("targetError") ?? DEFAULT_SETTINGS.targetError;
+    return ATTRIBUTES.targetError.read(this);
   }
   set targetError(value: number) {
-    this.#reflect("targetError", value);
+    ATTRIBUTES.targetError.write(this, value);
   }
 
   /** Sampling stops after this many samples per pixel. Attribute `max-samples`, default `Infinity`. */
   get maxSamples(): number {
-    return this.#number("maxSamples") ?? DEFAULT_SETTINGS.maxSamples;
+    return ATTRIBUTES.maxSamples.read(this);
   }
   set maxSamples(value: number) {
-    this.#reflect("maxSamples", value);
+    ATTRIBUTES.maxSamples.write(this, value);
   }
 
   /**
@@ -168,12 +160,15 @@ export class ReflectedElement extends BrowserElement {
    */
   get settings(): Settings {
     const settings: Record<string, unknown> = { ...DEFAULT_SETTINGS, ...this.#settings };
-    for (const name of SETTING_NAMES) settings[name] = this.#number(name) ?? DEFAULT_SETTINGS[name];
+    for (const name of SETTING_NAMES) settings[name] = SETTING_ATTRIBUTES[name].read(this);
     return settings as Settings;
   }
   set settings(changes: Partial<Settings>) {
     this.#settings = { ...this.#settings, ...changes };
-    for (const name of SETTING_NAMES) if (name in changes) this.#reflect(name, changes[name]);
+    for (const name of SETTING_NAMES) {
+      const attribute: Reflection<Settings[typeof name]> = SETTING_ATTRIBUTES[name];
+      if (name in changes) attribute.write(this, changes[name]);
+    }
     this.settingsChanged();
   }
 
@@ -188,16 +183,5 @@ export class ReflectedElement extends BrowserElement {
       Reflect.deleteProperty(this, name);
       Reflect.set(this, name, value);
     }
-  }
-
-  #number(name: SettingName): number | undefined {
-    const rule = SETTING_ATTRIBUTES[name];
-    return parseNumber(this.getAttribute(rule.attribute), rule);
-  }
-
-  #reflect(name: SettingName, value: number | "auto" | undefined): void {
-    const { attribute } = SETTING_ATTRIBUTES[name];
-    if (value === undefined || value === null) this.removeAttribute(attribute);
-    else this.setAttribute(attribute, String(value));
   }
 }

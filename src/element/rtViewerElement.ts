@@ -1,27 +1,18 @@
-import { RtViewerError, WebGpuError } from "../errors";
-import type { PanelKnobs, ScenePart } from "../panel/panel";
-import type { View } from "../renderer/display";
+import { RtViewerError } from "../errors";
 import type { PathTracer } from "../renderer/pathTracer";
 import type { Stats } from "../renderer/stats";
 import type { ResolvedCamera, Scene } from "../scene/schema";
-import { OBSERVED_ATTRIBUTES, settingOfAttribute } from "./attributes";
-import { parseCameraOrbit } from "./cameraOrbit";
-import { createKeyHelp, labelCanvas } from "./canvasLabel";
+import { applyAttribute, OBSERVED_ATTRIBUTES, type ViewerParts } from "./attributes";
+import { BoundOnDemand } from "./boundOnDemand";
 import { canvasSize } from "./canvasSize";
-import { Curtain } from "./curtain";
-import { describeError, missingWebGpu } from "./describeError";
-import { pickDetail, type RtViewerEventMap } from "./events";
-import { fetchScene } from "./fetchScene";
-import { LiveRegion } from "./liveRegion";
+import { fire } from "./events";
+import { Face } from "./face";
+import { LazyPanel } from "./lazyPanel";
 import type { LoadProgressDetail } from "./loadProgress";
-import { MessageBox } from "./messageBox";
-import type { PanelHost, PanelSource } from "./panelHost";
-import type { PickingTarget } from "./picking";
 import { ReflectedElement } from "./reflectedElement";
 import { RenderLoop } from "./renderLoop";
-import type { EditedTracer, SceneEdits } from "./sceneEdits";
+import { SceneLoader } from "./sceneLoader";
 import { Stage } from "./stage";
-import { elementStyles } from "./styles";
 import { currentBox, watchBox, watchNearness, watchReducedMotion, watchVisibility } from "./watchers";
 
 /** How long an element may be out of the document before it gives back the GPU: a move in the document costs nothing. */
@@ -51,73 +42,45 @@ const DISPOSAL_GRACE_MS = 10;
 export class RtViewerElement extends ReflectedElement {
   static readonly observedAttributes = OBSERVED_ATTRIBUTES;
 
-  readonly #canvas: HTMLCanvasElement;
-  readonly #curtain: Curtain;
-  readonly #liveRegion: LiveRegion;
-  readonly #message: MessageBox;
-  readonly #corner: HTMLElement;
-  /** Of the corner; its code is loaded when the panel is asked for. */
-  #panel: PanelHost | undefined;
-  /** The connection whose clicks pick. */
-  #picking: AbortSignal | undefined;
-  readonly #stage: Stage;
+  readonly #parts: ViewerParts;
   readonly #loop = new RenderLoop(() => this.#tick());
-  #scene: Scene | undefined;
-  /** What the panel made of the scene in the file. */
-  #edited: Scene | undefined;
-  /** The scene or URL that was asked for last; `undefined` when there is none, or the GPU has been given back. */
-  #requested: Scene | string | undefined;
   #isVisible = false;
-  /** It has been close enough to what is seen of the page for a lazy element to load. */
-  #wasNear = false;
   /** Ends the listeners and observers of the time the element is in a document. */
   #connection: AbortController | undefined;
-  #controls: AbortController | undefined;
-  #drop: AbortController | undefined;
-  /** The files that are being read. */
-  #opening: AbortController | undefined;
   #disposal: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
     super();
-    const root = this.attachShadow({ mode: "open", delegatesFocus: true });
-    root.adoptedStyleSheets = [elementStyles()];
-    this.#canvas = this.ownerDocument.createElement("canvas");
-    this.#canvas.setAttribute("part", "canvas");
-    this.#curtain = new Curtain(this.ownerDocument);
-    this.#liveRegion = new LiveRegion(this.ownerDocument);
-    this.#message = new MessageBox(this.ownerDocument);
-    this.#corner = this.ownerDocument.createElement("div");
-    this.#corner.className = "panel";
-    this.#corner.setAttribute("part", "panel");
-    root.append(
-      this.#canvas,
-      this.#curtain.element,
-      this.#corner,
-      this.#message.element,
-      this.#liveRegion.element,
-      createKeyHelp(this.ownerDocument),
-    );
-    this.#stage = new Stage(this.#canvas, {
+    const onError = (error: Error) => fire(this, "error", { error });
+    const face = new Face(this);
+    const stage = this.#createStage(face);
+    const scenes = new SceneLoader(this, face, stage, {
+      isConnected: () => this.#connection !== undefined,
       onLoadProgress: (detail) => this.#onLoadProgress(detail),
-      onScene: () => this.#onScene(),
-      onReady: (detail) => {
-        this.#curtain.open();
-        this.#liveRegion.noteReady();
-        this.#emit("ready", detail);
-      },
-      onProgress: (detail) => this.#emit("progress", detail),
-      onConverged: (detail) => {
-        this.#liveRegion.noteConverged();
-        this.#emit("converged", detail);
-      },
-      onDeviceLost: (detail) => {
-        this.#showPanel();
-        this.#emit("devicelost", detail);
-      },
       onError: (error) => this.#fail(error),
-      onRefusal: (error) => this.#emit("error", { error }),
+      onNothing: () => this.#dispose(),
     });
+    const panel = new LazyPanel({
+      viewer: this,
+      face,
+      connection: () => this.#connection?.signal,
+      onEdit: (scene, createEdits) => {
+        if (stage.edit(scene, createEdits)) scenes.noteEdit(scene);
+      },
+      onPick: (detail) => fire(this, "pick", detail),
+      onError,
+    });
+    const controls = new BoundOnDemand(
+      () => this.controls && this.#connection !== undefined,
+      (signal) => this.#bindControls(signal),
+      onError,
+    );
+    const drop = new BoundOnDemand(
+      () => this.drop && this.#connection !== undefined,
+      (signal) => this.#bindDrop(signal),
+      onError,
+    );
+    this.#parts = { face, stage, scenes, panel, controls, drop };
   }
 
   /**
@@ -126,12 +89,10 @@ export class RtViewerElement extends ReflectedElement {
    * `src` again.
    */
   get scene(): Scene | undefined {
-    return this.#scene ?? this.#edited;
+    return this.#parts.scenes.scene;
   }
   set scene(scene: Scene | undefined) {
-    this.#opening?.abort();
-    this.#scene = scene;
-    this.#load();
+    this.#parts.scenes.scene = scene;
   }
 
   /**
@@ -139,10 +100,10 @@ export class RtViewerElement extends ReflectedElement {
    * Setting it changes the fields it names; before there is a scene, they are kept for it.
    */
   get camera(): ResolvedCamera | undefined {
-    return this.#stage.camera;
+    return this.#parts.stage.camera;
   }
   set camera(changes: Partial<ResolvedCamera>) {
-    this.#stage.moveCamera(changes);
+    this.#parts.stage.moveCamera(changes);
   }
 
   /**
@@ -153,7 +114,7 @@ export class RtViewerElement extends ReflectedElement {
    * `samplesPerFrame` likewise.
    */
   get tracer(): PathTracer | undefined {
-    return this.#stage.tracer;
+    return this.#parts.stage.tracer;
   }
 
   /**
@@ -175,25 +136,12 @@ export class RtViewerElement extends ReflectedElement {
    * @throws {LoadError} if it cannot be read; what is shown then stays. An `AbortError` if another scene was set meanwhile.
    */
   async open(...files: readonly Blob[]): Promise<void> {
-    this.#opening?.abort();
-    const opening = new AbortController();
-    this.#opening = opening;
-    this.#onLoadProgress({ phase: "fetching", fraction: undefined });
-    try {
-      const { readFiles } = await import("../loaders/readFiles");
-      const { scene, warnings } = await readFiles(files, opening.signal);
-      opening.signal.throwIfAborted();
-      this.scene = scene;
-      this.#warn(warnings);
-    } catch (error) {
-      if (!opening.signal.aborted) this.#curtain.hideProgress();
-      throw error;
-    }
+    return this.#parts.scenes.open(files);
   }
 
   /** Throws away what has been sampled and starts over. Where a message stands in place of the picture, loads the scene again. */
   reset(): void {
-    if (this.#message.isShown) this.#load();
+    if (this.#parts.face.hasMessage) this.#parts.scenes.load();
     else this.tracer?.reset();
   }
 
@@ -220,7 +168,7 @@ export class RtViewerElement extends ReflectedElement {
     const { width, height } = tracer;
     const isLinear = type === "image/x-portable-floatmap";
     const [pixels, { encodePicture }] = await Promise.all([
-      isLinear ? tracer.readRadiance() : tracer.readPicture(this.#look()),
+      isLinear ? tracer.readRadiance() : tracer.readPicture({ exposure: this.exposure, toneMap: this.toneMap }),
       import("./snapshot"),
     ]);
     return encodePicture(pixels, width, height, type, quality);
@@ -236,104 +184,92 @@ export class RtViewerElement extends ReflectedElement {
     clearTimeout(this.#disposal);
     this.#connection = new AbortController();
     const { signal } = this.#connection;
+    const { face, stage, scenes, controls, drop } = this.#parts;
 
-    this.#stage.size = canvasSize(currentBox(this.#canvas));
-    this.#stage.refresh();
-    watchBox(this.#canvas, (box) => (this.#stage.size = canvasSize(box)), signal);
+    stage.size = canvasSize(currentBox(face.canvas));
+    stage.refresh();
+    watchBox(face.canvas, (box) => (stage.size = canvasSize(box)), signal);
     watchVisibility(this, (isVisible) => this.#onVisibility(isVisible), signal);
-    watchReducedMotion((isReduced) => (this.#stage.isCalm = isReduced), signal);
-    if (!this.#wasNear) watchNearness(this, () => this.#onNear(), signal);
-    this.#bindControls();
-    this.#bindDrop();
-    this.#label();
-    if (this.#source() !== this.#requested) this.#load();
-    else this.#updateLoop();
+    watchReducedMotion((isReduced) => (stage.isCalm = isReduced), signal);
+    if (!scenes.wasNear) watchNearness(this, () => scenes.noteNear(), signal);
+    controls.rebind();
+    drop.rebind();
+    face.describe(this.alt, this.controls);
+    if (scenes.isCurrent) this.#updateLoop();
+    else scenes.load();
   }
 
   disconnectedCallback(): void {
     this.#connection?.abort();
     this.#connection = undefined;
-    this.#controls?.abort();
-    this.#drop?.abort();
+    this.#parts.controls.unbind();
+    this.#parts.drop.unbind();
     this.#updateLoop();
     this.#disposal = setTimeout(() => this.#dispose(), DISPOSAL_GRACE_MS);
   }
 
   attributeChangedCallback(name: string): void {
-    if (name === "src") this.#opening?.abort();
-    if (name === "src" && this.#scene === undefined) this.#load();
-    else if (name === "loading" && this.#requested === undefined) this.#load();
-    else if (name === "controls") this.#bindControls();
-    else if (name === "drop") this.#bindDrop();
-    else if (name === "stats") this.#showPanel();
-    else if (name === "alt") this.#label();
-    else if (name === "paused") this.#stage.isPaused = this.paused;
-    else if (name === "exposure" || name === "tone-map") this.#stage.look = this.#look();
-    else if (name === "camera-orbit") this.#stage.orbit = parseCameraOrbit(this.cameraOrbit);
-    else if (settingOfAttribute(name) !== undefined) this.settingsChanged();
-    if (name === "controls") this.#label();
-    if (name === "poster" || name === "loading") this.#curtain.setPoster(this.poster, this.loading);
-    if (this.tracer !== undefined) this.#panel?.setKnobs(this.#knobs(this.tracer));
+    applyAttribute(name, this.#parts, this);
+    this.#parts.panel.showKnobs();
   }
 
   protected override settingsChanged(): void {
-    this.#stage.settings = this.settings;
+    this.#parts.stage.settings = this.settings;
   }
 
-  #source(): Scene | string | undefined {
-    return this.#scene ?? (this.src === "" ? undefined : this.src);
-  }
-
-  #load(): void {
-    if (this.#connection === undefined) return;
-    const source = this.#source();
-    if (source === undefined && this.#requested !== undefined) this.#dispose();
-    if (source === undefined || (this.loading === "lazy" && !this.#wasNear)) return;
-    this.#requested = source;
-    this.#edited = undefined;
-    const missing = missingWebGpu({ hasGpu: "gpu" in navigator, isSecure: globalThis.isSecureContext });
-    if (missing !== undefined) {
-      this.#fail(new WebGpuError(missing));
-      return;
-    }
-    const { baseURI } = this.ownerDocument;
-    this.#liveRegion.noteLoading();
-    void this.#stage.show(async (signal, report) => {
-      if (typeof source !== "string") return source;
-      report("fetching");
-      return this.#fetch(source, baseURI, signal);
+  #createStage(face: Face): Stage {
+    return new Stage(face.canvas, {
+      onLoadProgress: (detail) => this.#onLoadProgress(detail),
+      onScene: () => {
+        face.clearMessage();
+        this.#parts.panel.show();
+        this.#updateLoop();
+      },
+      onReady: (detail) => {
+        face.noteReady();
+        fire(this, "ready", detail);
+      },
+      onProgress: (detail) => fire(this, "progress", detail),
+      onConverged: (detail) => {
+        face.noteConverged();
+        fire(this, "converged", detail);
+      },
+      onDeviceLost: (detail) => {
+        this.#parts.panel.show();
+        fire(this, "devicelost", detail);
+      },
+      onError: (error) => this.#fail(error),
+      onRefusal: (error) => fire(this, "error", { error }),
     });
   }
 
-  #onNear(): void {
-    this.#wasNear = true;
-    if (this.#requested === undefined) this.#load();
+  async #bindControls(signal: AbortSignal): Promise<void> {
+    const { bindOrbitControls } = await import("./orbitControls");
+    if (signal.aborted) return;
+    const { face, stage } = this.#parts;
+    const target = {
+      camera: () => this.camera,
+      home: () => this.tracer?.scene.camera,
+      onChange: (camera: ResolvedCamera) => stage.moveCamera(camera),
+    };
+    bindOrbitControls(face.canvas, target, signal);
   }
 
-  async #fetch(src: string, base: string, signal: AbortSignal): Promise<Scene> {
-    const { scene, warnings } = await fetchScene(src, base, signal);
-    if (!signal.aborted) this.#warn(warnings);
-    return scene;
-  }
-
-  #warn(warnings: readonly string[]): void {
-    if (warnings.length > 0) this.#emit("loadwarnings", { warnings });
+  async #bindDrop(signal: AbortSignal): Promise<void> {
+    const { bindFileDrop } = await import("./fileDrop");
+    if (signal.aborted) return;
+    const onFiles = (files: readonly File[]) => this.open(...files);
+    bindFileDrop(this, this.#parts.face.root, { onFiles }, signal);
   }
 
   #onLoadProgress(detail: LoadProgressDetail): void {
-    this.#curtain.showProgress(detail);
-    this.#emit("loadprogress", detail);
-  }
-
-  #onScene(): void {
-    this.#clearMessage();
-    this.#showPanel();
-    this.#updateLoop();
+    this.#parts.face.showProgress(detail);
+    fire(this, "loadprogress", detail);
   }
 
   #tick(): void {
-    this.#stage.tick();
-    this.#panel?.refresh();
+    this.#parts.stage.tick();
+    this.#parts.panel.refresh();
     this.#updateLoop();
   }
 
@@ -344,146 +280,24 @@ export class RtViewerElement extends ReflectedElement {
 
   /** A scene that cannot be seen is left alone, except that its first picture is made, to be there when it can. */
   #updateLoop(): void {
-    const isWanted = this.#isVisible || this.#stage.owesPicture;
+    const isWanted = this.#isVisible || this.#parts.stage.owesPicture;
     this.#loop.isRunning =
-      isWanted && this.#connection !== undefined && this.tracer !== undefined && !this.#message.isShown;
+      isWanted && this.#connection !== undefined && this.tracer !== undefined && !this.#parts.face.hasMessage;
   }
 
   #fail(error: Error): void {
-    this.#message.show(describeError(error));
-    this.#canvas.inert = true;
-    this.#curtain.hideProgress();
-    this.#liveRegion.clear();
+    this.#parts.face.showError(error);
     this.#updateLoop();
-    this.#emit("error", { error });
+    fire(this, "error", { error });
   }
 
   #dispose(): void {
-    this.#requested = undefined;
-    this.#panel?.hide();
-    this.#clearMessage();
-    this.#curtain.close();
-    this.#liveRegion.clear();
-    this.#stage.clear();
+    const { face, stage, scenes, panel } = this.#parts;
+    scenes.forget();
+    panel.hide();
+    face.clear();
+    stage.clear();
     this.#updateLoop();
-  }
-
-  #clearMessage(): void {
-    this.#message.clear();
-    this.#canvas.inert = false;
-  }
-
-  #bindControls(): void {
-    this.#controls?.abort();
-    this.#controls = undefined;
-    if (!this.controls) {
-      this.#canvas.removeAttribute("tabindex");
-      return;
-    }
-    this.#canvas.tabIndex = 0;
-    if (this.#connection === undefined) return;
-    this.#controls = new AbortController();
-    this.#loadControls(this.#controls.signal).catch((error: Error) => this.#emit("error", { error }));
-  }
-
-  async #loadControls(signal: AbortSignal): Promise<void> {
-    const { bindOrbitControls } = await import("./orbitControls");
-    if (signal.aborted) return;
-    const target = {
-      camera: () => this.camera,
-      home: () => this.tracer?.scene.camera,
-      onChange: (camera: ResolvedCamera) => this.#stage.moveCamera(camera),
-    };
-    bindOrbitControls(this.#canvas, target, signal);
-  }
-
-  #bindDrop(): void {
-    this.#drop?.abort();
-    this.#drop = undefined;
-    if (!this.drop || this.#connection === undefined) return;
-    this.#drop = new AbortController();
-    this.#loadDrop(this.#drop.signal).catch((error: Error) => this.#emit("error", { error }));
-  }
-
-  async #loadDrop(signal: AbortSignal): Promise<void> {
-    const { bindFileDrop } = await import("./fileDrop");
-    if (signal.aborted) return;
-    const onFiles = (files: readonly File[]) => this.open(...files);
-    bindFileDrop(this, this.shadowRoot!, { onFiles }, signal);
-  }
-
-  #showPanel(): void {
-    if (!this.showStats || this.tracer === undefined) {
-      this.#panel?.hide();
-      return;
-    }
-    // Without its panel the element still does its work, so this is told, not shown.
-    this.#loadPanel(this.tracer).catch((error: Error) => this.#emit("error", { error }));
-  }
-
-  async #loadPanel(tracer: PathTracer): Promise<void> {
-    const { PanelHost, bindPicking, createSceneEdits } = await import("./panelHost");
-    if (tracer !== this.tracer || !this.showStats || this.#connection === undefined) return;
-    this.#panel ??= new PanelHost(this.#corner);
-    const { signal } = this.#connection;
-    if (signal !== this.#picking) bindPicking(this, this.#canvas, this.#pickingTarget(this.#panel), signal);
-    this.#picking = signal;
-    await this.#panel.show(this.#panelSource(tracer, createSceneEdits), this.getAttribute("stats") === "folded");
-  }
-
-  /** Only while the panel is there, which shows what is picked. */
-  #pickingTarget(panel: PanelHost): PickingTarget {
-    return {
-      tracer: () => (this.showStats ? this.tracer : undefined),
-      onPick: (part) => {
-        if (part === undefined && panel.selected === undefined) return;
-        panel.select(part);
-        this.#tellPick(part);
-      },
-      onError: (error) => this.#emit("error", { error }),
-    };
-  }
-
-  #panelSource(tracer: PathTracer, createSceneEdits: (tracer: EditedTracer) => SceneEdits): PanelSource {
-    return {
-      stats: tracer.stats,
-      knobs: this.#knobs(tracer),
-      onChange: ({ exposure, ...settings }) => {
-        if (exposure !== undefined) this.exposure = exposure;
-        this.settings = settings;
-      },
-      onReset: () => this.reset(),
-      isPaused: () => this.paused,
-      wgsl: () => tracer.program.wgsl,
-      editor: {
-        scene: tracer.scene,
-        onEdit: (scene) => this.#edit(scene, createSceneEdits),
-        onSelect: (part) => this.#tellPick(part),
-      },
-    };
-  }
-
-  #knobs(tracer: PathTracer): PanelKnobs {
-    const { exposure, settings } = this;
-    return { ...settings, exposure, maxBounces: settings.maxBounces ?? tracer.scene.maxBounces };
-  }
-
-  #edit(scene: Scene, createEdits: (tracer: EditedTracer) => SceneEdits): void {
-    if (!this.#stage.edit(scene, createEdits)) return;
-    if (this.#scene === undefined) this.#edited = scene;
-    else this.#scene = this.#requested = scene;
-  }
-
-  #tellPick(part: ScenePart | undefined): void {
-    if (this.tracer !== undefined) this.#emit("pick", pickDetail(this.tracer.scene, part));
-  }
-
-  #label(): void {
-    labelCanvas(this.#canvas, this.alt, this.controls);
-  }
-
-  #look(): View {
-    return { exposure: this.exposure, toneMap: this.toneMap };
   }
 
   #sampledTracer(): PathTracer {
@@ -492,9 +306,5 @@ export class RtViewerElement extends ReflectedElement {
       throw new RtViewerError("there is no picture yet: wait for the event `ready`");
     }
     return tracer;
-  }
-
-  #emit<K extends keyof RtViewerEventMap>(type: K, detail: RtViewerEventMap[K]["detail"]): void {
-    this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 }

@@ -7,21 +7,19 @@ import type { ResolvedCamera, Scene } from "../scene/schema";
 import { type CameraOrbit, placeOnOrbit } from "./cameraOrbit";
 import type { PixelSize } from "./canvasSize";
 import { CanvasView } from "./canvasView";
-import type { DeviceLostDetail, ProgressDetail, ReadyDetail } from "./events";
+import type { DeviceLostDetail, ReadyDetail } from "./events";
 import { LatestTask } from "./latestTask";
 import type { LoadProgressDetail, ReportProgress } from "./loadProgress";
+import { type MilestoneListener, Milestones } from "./milestones";
 import { Recovery } from "./recovery";
 import type { EditedTracer, SceneEdits } from "./sceneEdits";
 import { type DeviceLease, leaseDevice } from "./sharedDevice";
 
 /** Whom the stage tells what happens on it. */
-export type StageListener = {
+export type StageListener = Omit<MilestoneListener, "isPaused"> & {
   readonly onLoadProgress: (detail: LoadProgressDetail) => void;
   /** A scene is loaded and compiled; its first picture comes with one of the next frames. */
   readonly onScene: () => void;
-  readonly onReady: (detail: ReadyDetail) => void;
-  readonly onProgress: (detail: ProgressDetail) => void;
-  readonly onConverged: (detail: ProgressDetail) => void;
   /** The picture is gone, and another one of the same scene is under way. */
   readonly onDeviceLost: (detail: DeviceLostDetail) => void;
   readonly onError: (error: Error) => void;
@@ -29,7 +27,6 @@ export type StageListener = {
   readonly onRefusal: (error: Error) => void;
 };
 
-const PROGRESS_INTERVAL_MS = 100;
 const HOPELESS =
   "The GPU was lost again and again with this scene, so it is not tried again by itself. A simpler scene or a smaller " +
   "picture may work. Reloading the page tries again.";
@@ -57,17 +54,16 @@ export class Stage {
   #orbit: CameraOrbit | undefined;
   /** What of the camera is to be changed once there is one. */
   #pendingCamera: Partial<ResolvedCamera> | undefined;
-  /** When the scene was asked for whose first picture is still to come. */
-  #requestedAt: number | undefined;
-  /** Whether anything was drawn since. */
-  #hasDrawn = false;
-  #reportedAt = Number.NEGATIVE_INFINITY;
-  #reportedSamples = 0;
-  #wasConverged = false;
+  readonly #milestones: Milestones;
 
   constructor(canvas: HTMLCanvasElement, listener: StageListener) {
     this.#canvas = canvas;
     this.#listener = listener;
+    const onReady = (detail: ReadyDetail) => {
+      this.#recovery.noteReady();
+      listener.onReady(detail);
+    };
+    this.#milestones = new Milestones({ ...listener, onReady, isPaused: () => this.#isPaused });
   }
 
   get tracer(): PathTracer | undefined {
@@ -76,7 +72,7 @@ export class Stage {
 
   /** Whether a scene is there that has not been seen yet. */
   get owesPicture(): boolean {
-    return this.#view !== undefined && this.#requestedAt !== undefined;
+    return this.#milestones.owesPicture;
   }
 
   get camera(): ResolvedCamera | undefined {
@@ -153,8 +149,7 @@ export class Stage {
         (scene, signal) => this.#put(scene, signal, reportFor(signal)),
       );
       if (!isLast || this.#view === undefined) return;
-      this.#requestedAt = requestedAt;
-      this.#hasDrawn = false;
+      this.#milestones.expectPicture(requestedAt);
       this.#listener.onScene();
     } catch (error) {
       if (this.#view === undefined) this.#release();
@@ -186,8 +181,8 @@ export class Stage {
     const view = this.#view;
     if (view === undefined || view === this.#failedView) return;
     try {
-      if (view.draw()) this.#hasDrawn = true;
-      this.#report(view);
+      if (view.draw()) this.#milestones.noteDrawn();
+      this.#milestones.report(view);
     } catch (error) {
       void this.#onFailure(view, toError(error));
     }
@@ -313,36 +308,12 @@ export class Stage {
     this.#failedView = undefined;
     this.#edits?.cancel();
     this.#edits = undefined;
-    this.#requestedAt = undefined;
-    this.#reportedSamples = 0;
-    this.#wasConverged = false;
+    this.#milestones.forget();
   }
 
   #release(): void {
     this.#lease?.release();
     this.#lease = undefined;
-  }
-
-  #report({ tracer, isFullSize }: CanvasView): void {
-    const { samples, error, converged } = tracer.stats;
-    const now = performance.now();
-    if (this.#hasDrawn && samples > 0 && this.#requestedAt !== undefined) {
-      const milliseconds = now - this.#requestedAt;
-      this.#requestedAt = undefined;
-      this.#reportedSamples = 0;
-      this.#recovery.noteReady();
-      this.#listener.onReady({ tracer, milliseconds });
-    }
-    if (this.owesPicture) return;
-    const isDue = now - this.#reportedAt >= PROGRESS_INTERVAL_MS || converged;
-    if (samples !== this.#reportedSamples && isDue) {
-      this.#reportedAt = now;
-      this.#reportedSamples = samples;
-      if (samples > 0) this.#listener.onProgress({ samples, error });
-    }
-    const hasConverged = converged && isFullSize && !this.#isPaused;
-    if (hasConverged && !this.#wasConverged) this.#listener.onConverged({ samples, error });
-    this.#wasConverged = hasConverged;
   }
 
   #applyOrbit(): void {
