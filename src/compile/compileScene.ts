@@ -1,15 +1,15 @@
 import { scale, subtract } from "../math/vec3";
 import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
+import { inSceneUnits } from "../shapes/sceneUnits";
 import type { Shape } from "../shapes/shapes";
+import type { Geometry } from "../tree/geometry";
 import { Blockers } from "./blockers";
 import { emitScene, type SceneParts } from "./emitScene";
 import { deriveFeatures, describeFeatures, type Features, type ProgramSettings } from "./features";
-import type { Geometry } from "./geometry";
 import { type Lamp, lampsOf } from "./lampWindow";
 import { lightsOfScene } from "./lights";
 import { bytesOf, packScene, packTables, tablesOf } from "./packScene";
 import { isEmissive, primitivesOf } from "./primitives";
-import { inSceneUnits } from "./sceneUnits";
 import { unrollingOf } from "./unrolling";
 import { Literals, Slots } from "./values";
 
@@ -31,11 +31,8 @@ export function compileScene(
   geometry?: Geometry,
 ): CompiledScene {
   const { scene, unit } = inSceneUnits(given);
-  // What the camera looks at is where digits matter. Subtracted in doubles, before anything is rounded to f32, it makes a
-  // scene far from the world's origin as precise as one around it.
-  const origin = scene.camera.target;
-  const primitives = primitivesOf(scene, origin, geometry);
-  const lights = lightsOfScene(scene, primitives, origin);
+  const primitives = primitivesOf(scene, geometry);
+  const lights = lightsOfScene(scene, primitives);
   const environment = scene.environment.radiance;
   const features = deriveFeatures(
     primitives,

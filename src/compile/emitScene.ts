@@ -2,12 +2,12 @@
 // Numbers come from validated scenes only and names from this file; no user text reaches WGSL.
 
 import type { Light } from "../lights/light";
+import type { Geometry } from "../tree/geometry";
 import type { StructFields, StructLayout } from "./defineStruct";
 import { emitLightChoice, emitLightSamplers, hasManyLights, LIGHT_IMPORTS } from "./emitLights";
 import { emitRowStruct, emitTableMembers } from "./emitLoops";
 import { emitShapes, SHAPE_IMPORTS } from "./emitShapes";
 import type { Features } from "./features";
-import type { Geometry } from "./geometry";
 import { LIGHT, MATERIAL } from "./layouts";
 import type { Tables } from "./packScene";
 import type { Primitive } from "./primitives";

@@ -3,8 +3,8 @@
 import type { Light } from "../lights/light";
 import type { EmittedShape } from "../shapes/shape";
 import { ITEMS, itemTag, kindOf, kindOfObject, SHAPE_CALLS, type Shape } from "../shapes/shapes";
+import type { Geometry } from "../tree/geometry";
 import { emitBlockingLoops, emitClosestLoops } from "./emitLoops";
-import type { Geometry } from "./geometry";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
 import type { Values } from "./values";

@@ -1,7 +1,7 @@
 import type { Light } from "../lights/light";
 import { type ResolvedMaterial, TEXTURE_FIELDS, type TextureField } from "../scene/schema";
 import { hullOf, kindOf, type Shape } from "../shapes/shapes";
-import type { Geometry } from "./geometry";
+import type { Geometry } from "../tree/geometry";
 import { isEmissive, type Primitive } from "./primitives";
 
 /** Which estimator and sampler to compile; the settings that shape the program. */

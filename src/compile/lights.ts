@@ -1,6 +1,6 @@
 import type { Light } from "../lights/light";
 import { lightsOf } from "../lights/lights";
-import type { ResolvedScene, Vec3 } from "../scene/schema";
+import type { ResolvedScene } from "../scene/schema";
 import { kindOf } from "../shapes/shapes";
 import { isEmissive, type Primitive } from "./primitives";
 
@@ -8,14 +8,14 @@ import { isEmissive, type Primitive } from "./primitives";
  * Everything that emits and can be sampled, with strengths in proportion to the strongest's: first what lies on primitives, in
  * their order, then lights without a body.
  */
-export function lightsOfScene(scene: ResolvedScene, primitives: readonly Primitive[], origin: Vec3): Light[] {
+export function lightsOfScene(scene: ResolvedScene, primitives: readonly Primitive[]): Light[] {
   const lights: Light[] = [];
   for (const [id, primitive] of primitives.entries()) {
     if (!isEmissive(primitive)) continue;
     const { shape, emission } = primitive;
     for (const light of kindOf(shape).lights(shape, emission, id)) lights.push(light);
   }
-  for (const each of scene.lights) for (const light of lightsOf(each, origin)) lights.push(light);
+  for (const each of scene.lights) for (const light of lightsOf(each, scene.camera.target)) lights.push(light);
   let strongest = 0;
   for (const { strength } of lights) strongest = Math.max(strongest, strength);
   if (strongest === 0) return lights;

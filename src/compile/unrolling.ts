@@ -1,7 +1,7 @@
 // Which shapes the program meets one by one, in code of their own, and which it goes through in a loop.
 
 import { kindOf, LOOPS, type LoopTable } from "../shapes/shapes";
-import type { Geometry } from "./geometry";
+import type { Geometry } from "../tree/geometry";
 import type { Primitive } from "./primitives";
 
 /** Ids of primitives, by how a program meets what is not in its tree. */

@@ -1,5 +1,5 @@
 import type { Features } from "../compile/features";
-import type { GeometryData } from "../compile/geometry";
+import type { GeometryData } from "../tree/geometry";
 import { ShaderStage } from "./flags";
 
 export type GeometryPart = keyof GeometryData;

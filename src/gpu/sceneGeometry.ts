@@ -1,6 +1,6 @@
-import type { Geometry } from "../compile/geometry";
 import { WebGpuError } from "../errors";
 import { nextTask } from "../nextTask";
+import type { Geometry } from "../tree/geometry";
 import { scoped } from "./errorScope";
 import { BufferUsage, TextureUsage } from "./flags";
 import { GEOMETRY_BINDINGS } from "./geometryLayout";

@@ -1,4 +1,3 @@
-import { needsGeometry } from "../compile/boundedShapes";
 import { type CompiledScene, compileScene } from "../compile/compileScene";
 import { linkModule } from "../compile/linkProgram";
 import { RtViewerError } from "../errors";
@@ -10,6 +9,7 @@ import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
+import { needsGeometry } from "../tree/boundedShapes";
 import { Accumulation, type Guard, type Portion, type SharedUniforms, type Surroundings } from "./accumulation";
 import { type Bakeable, Baked, type IsQuicker } from "./baked";
 import { cameraBasis, lampPixels, rayStart } from "./camera";

@@ -1,5 +1,5 @@
 import type { CompiledScene } from "../compile/compileScene";
-import type { Geometry } from "../compile/geometry";
+import type { Geometry } from "../tree/geometry";
 
 // Rays that the slowest adapter, a processor of two cores, traces in some 50 ms where a scene is one room of a few shapes.
 const FIRST_RAYS = 150_000;

@@ -1,8 +1,8 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { compileScene } from "../../src/compile/compileScene";
-import { prepareGeometry } from "../../src/compile/geometry";
 import { parseScene } from "../../src/scene/parseScene";
 import type { ResolvedScene, SceneObject, Vec3 } from "../../src/scene/schema";
+import { prepareGeometry } from "../../src/tree/geometry";
 import { add, type Meeting, meetings, type Source, scale } from "../support/oracle";
 import { runProbe } from "../support/probe";
 import { createRandom, randomDirection } from "../support/random";

@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 import { compileScene } from "../../src/compile/compileScene";
-import { prepareGeometry } from "../../src/compile/geometry";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Light, SceneObject, Vec3 } from "../../src/scene/schema";
+import { prepareGeometry } from "../../src/tree/geometry";
 import { icosphere, meshObject, placed } from "../support/meshes";
 import { runProbe } from "../support/probe";
 import { createRandom, randomDirection } from "../support/random";

@@ -1,10 +1,10 @@
 import { afterAll, describe, expect, test } from "vitest";
 import { compileScene } from "../../src/compile/compileScene";
 import type { ProgramSettings } from "../../src/compile/features";
-import { prepareGeometry } from "../../src/compile/geometry";
 import { linkProgram } from "../../src/compile/linkProgram";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Light, Material, Scene, SceneObject } from "../../src/scene/schema";
+import { prepareGeometry } from "../../src/tree/geometry";
 import { loadReference, REFERENCE_NAMES } from "../support/reference";
 import { diagnose, diagnosePipeline, releaseTint } from "../support/tint";
 

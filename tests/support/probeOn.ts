@@ -1,10 +1,10 @@
 import { type LinkParams, link } from "wesl/core";
 import type { Features } from "../../src/compile/features";
-import type { Geometry } from "../../src/compile/geometry";
 import { BufferUsage, MapMode, ShaderStage } from "../../src/gpu/flags";
 import { geometryLayout } from "../../src/gpu/geometryLayout";
 import { createComputePipeline } from "../../src/gpu/pipelines";
 import { SceneGeometry } from "../../src/gpu/sceneGeometry";
+import type { Geometry } from "../../src/tree/geometry";
 
 /** The shader modules of `src`, as `compile/linkProgram.ts` names them. */
 const MODULES: Readonly<Record<string, string>> = Object.fromEntries(

@@ -1,7 +1,7 @@
 import { compileScene } from "../../src/compile/compileScene";
-import { prepareGeometry } from "../../src/compile/geometry";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Scene, Vec3 } from "../../src/scene/schema";
+import { prepareGeometry } from "../../src/tree/geometry";
 import { runProbe } from "./probe";
 
 export const NONE = 0xffffffff;

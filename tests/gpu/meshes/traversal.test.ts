@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, test } from "vitest";
-import { prepareGeometry } from "../../../src/compile/geometry";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Scene, Vec3 } from "../../../src/scene/schema";
+import { prepareGeometry } from "../../../src/tree/geometry";
 import { bumpySphere, type MeshData, meshObject, placed, triangleAt } from "../../support/meshes";
 import { createRandom, randomDirection } from "../../support/random";
 import { NONE, Rays, type Traced, traceRays } from "../../support/traceRays";

@@ -2,6 +2,7 @@ import { describe, expect, test } from "vitest";
 import { Blockers } from "../../../src/compile/blockers";
 import { lightsOfScene } from "../../../src/compile/lights";
 import { primitivesOf } from "../../../src/compile/primitives";
+import { subtract } from "../../../src/math/vec3";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Light, SceneObject, Vec3 } from "../../../src/scene/schema";
@@ -20,10 +21,10 @@ function blockersOf(objects: readonly SceneObject[], lights: readonly Light[], c
 }
 
 function blockersIn(scene: ReturnType<typeof parseScene>, camera: Vec3): number[] {
-  const primitives = primitivesOf(scene, [0, 0, 0]);
-  const emitters = lightsOfScene(scene, primitives, [0, 0, 0]);
+  const primitives = primitivesOf(scene);
+  const emitters = lightsOfScene(scene, primitives);
   const blockers = new Blockers(primitives, emitters);
-  return [...primitives.keys()].filter((id) => blockers.canBlock(id, camera));
+  return [...primitives.keys()].filter((id) => blockers.canBlock(id, subtract(camera, scene.camera.target)));
 }
 
 describe("a quad or triangle", () => {

@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
 import { type CompiledScene, compileScene } from "../../../src/compile/compileScene";
-import { prepareGeometry } from "../../../src/compile/geometry";
 import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Scene, Vec3 } from "../../../src/scene/schema";
+import { prepareGeometry } from "../../../src/tree/geometry";
 import { compile, unpack } from "../../support/compiled";
 import { loadReference, REFERENCE_NAMES } from "../../support/reference";
 

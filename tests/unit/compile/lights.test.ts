@@ -13,7 +13,7 @@ const UNIT_QUAD = quad({ corner: [0, 0, 0], edge1: [1, 0, 0], edge2: [0, 1, 0], 
 
 function emit(objects: readonly SceneObject[], lights: readonly Light[] = []): SampledLight[] {
   const scene = parseScene(sceneOf(objects, lights, MATERIALS));
-  return lightsOfScene(scene, primitivesOf(scene, [0, 0, 0]), [0, 0, 0]);
+  return lightsOfScene(scene, primitivesOf(scene));
 }
 
 function sphereOfLight(power: number, radius = 1): Light {
@@ -59,7 +59,7 @@ describe("strength and bound", () => {
   test("strengths stay finite where radiance times area would not be, in f32", () => {
     const huge = quad({ corner: [0, 0, 0], edge1: [1e18, 0, 0], edge2: [0, 1e18, 0], material: "blinding" });
     const scene = parseScene(sceneOf([huge], [pointOfLight(1)], { blinding: { emission: [1e18, 1e18, 1e18] } }));
-    const emitters = lightsOfScene(scene, primitivesOf(scene, [0, 0, 0]), [0, 0, 0]);
+    const emitters = lightsOfScene(scene, primitivesOf(scene));
     expect(emitters.every(({ strength }) => strength >= 0 && strength <= 1)).toBe(true);
   });
 

@@ -10,7 +10,10 @@ import { sceneOf } from "../../support/compiled";
 const material = "lambert";
 
 function shapeOf(object: SceneObject, origin: Vec3 = [0, 0, 0]): Shape {
-  return primitivesOf(parseScene(sceneOf([object])), origin)[0]!.shape;
+  const scene = sceneOf([object]);
+  const [x, y, z] = origin;
+  const camera = { position: [x, y + 1, z + 5], target: origin } as const;
+  return primitivesOf(parseScene({ ...scene, camera }))[0]!.shape;
 }
 
 function normalOf(object: SceneObject): Vec3 {
@@ -33,7 +36,7 @@ test("objects come first, then sphere lights; point lights are no primitives", (
     plane({ point: [0, 0, 0], normal: [0, 1, 0], material }),
     sphere({ center: [0, 1, 0], radius: 1, material }),
   ];
-  const primitives = primitivesOf(parseScene(sceneOf(objects, lights)), [0, 0, 0]);
+  const primitives = primitivesOf(parseScene(sceneOf(objects, lights)));
   expect(primitives.map(({ shape }) => shape.kind)).toEqual(["plane", "sphere", "sphere"]);
   expect(primitives.map((primitive) => primitive.material === "black")).toEqual([false, false, true]);
 });
@@ -43,7 +46,7 @@ test("each primitive's part of the scene is found by its id", () => {
   const lights = [pointLight({ position: [0, 8, 0], power: [1, 1, 1] }), sphereAt(9), sphereAt(12)];
   const objects = [sphere({ center: [0, 1, 0], radius: 1, material })];
   const scene = parseScene(sceneOf(objects, lights));
-  const parts = primitivesOf(scene, [0, 0, 0]).map((_, id) => partOf(scene, id));
+  const parts = primitivesOf(scene).map((_, id) => partOf(scene, id));
   expect(parts).toEqual([
     { kind: "object", index: 0 },
     { kind: "light", index: 1 },
@@ -148,7 +151,7 @@ describe("boxes", () => {
 
 test("a sphere light's radiance is power / (4π²·radius²)", () => {
   const light = sphereLight({ position: [0, 0, 0], radius: 0.5, power: [10, 20, 0] });
-  const [primitive] = primitivesOf(parseScene(sceneOf([], [light])), [0, 0, 0]);
+  const [primitive] = primitivesOf(parseScene(sceneOf([], [light])));
   const area = Math.PI * 4 * 0.5 ** 2;
   expect(primitive!.emission[0]).toBeCloseTo(10 / (Math.PI * area), 12);
   expect(primitive!.emission[1]).toBeCloseTo(20 / (Math.PI * area), 12);

@@ -1,9 +1,9 @@
 import { describe, expect, test } from "vitest";
 import { type CompiledScene, compileScene } from "../../../src/compile/compileScene";
-import { type Geometry, prepareGeometry } from "../../../src/compile/geometry";
 import { cameraBasis, lampPixels, rayStart } from "../../../src/renderer/camera";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Light, ResolvedScene, Scene, SceneObject, Vec3 } from "../../../src/scene/schema";
+import { type Geometry, prepareGeometry } from "../../../src/tree/geometry";
 import { unpack } from "../../support/compiled";
 import { growthOf, LINEAR } from "../../support/growth";
 import { cube, meshObject, placed } from "../../support/meshes";

@@ -1,7 +1,7 @@
 import { expect, test, vi } from "vitest";
-import type { Geometry } from "../../../src/compile/geometry";
 import { SceneGeometry } from "../../../src/gpu/sceneGeometry";
 import { nextTask } from "../../../src/nextTask";
+import type { Geometry } from "../../../src/tree/geometry";
 
 const SLICE_BYTES = 2 ** 22;
 

@@ -3,17 +3,17 @@
 
 import { type AsyncBuildOptions, buildBvhAsync } from "../bvh/buildInWorker";
 import { triangleBounds } from "../bvh/triangleBounds";
+import type { Textures } from "../compile/packTextures";
 import { length, subtract } from "../math/vec3";
 import type { ResolvedScene, Vec3 } from "../scene/schema";
+import { inSceneUnits } from "../shapes/sceneUnits";
 import { isMesh, itemOf, type MeshObject } from "../shapes/shapes";
 import type { BoundedPrimitive } from "./boundedShapes";
 import { boundsOfShape } from "./boundsOfShape";
 import { packItems } from "./packItems";
 import { type MeshLight, packMeshLights } from "./packMeshLights";
 import { haveSameTexels, texelParts } from "./packTexels";
-import type { Textures } from "./packTextures";
 import { packTree } from "./packTree";
-import { inSceneUnits } from "./sceneUnits";
 import { treeShapesOf } from "./treeShapes";
 
 // Triangles in a leaf of the tree, at most. The shader was as quick with 4 for 1,000 triangles, and 10 % slower for 100,000.
@@ -83,7 +83,7 @@ export async function prepareGeometry(
   const { scene } = inSceneUnits(given);
   const origin = scene.camera.target;
   const meshes = meshesOf(scene);
-  const treeShapes = treeShapesOf(scene, origin);
+  const treeShapes = treeShapesOf(scene);
   if (meshes.length + treeShapes.length === 0) return undefined;
   const emits = (object: MeshObject) => scene.materials[object.material]!.emission.some((value) => value > 0);
   const emitting = meshes.flatMap(({ object, id }) => (emits(object) ? [id] : []));

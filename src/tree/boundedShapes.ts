@@ -1,8 +1,8 @@
 // Shapes that a tree can hold, and whether a scene needs one.
 
-import type { ResolvedScene, Vec3 } from "../scene/schema";
+import type { ResolvedScene } from "../scene/schema";
+import { placed } from "../shapes/placed";
 import { isMesh, kindOf, type Shape } from "../shapes/shapes";
-import { shapesOf } from "./primitives";
 
 /** A shape that is neither infinite, nor nowhere, nor too large; and the id of its primitive. */
 export type BoundedPrimitive = { readonly id: number; readonly shape: Shape };
@@ -13,17 +13,16 @@ export type BoundedPrimitive = { readonly id: number; readonly shape: Shape };
  */
 export const MAX_UNROLLED = 32;
 
-export function* boundedShapesOf(scene: ResolvedScene, origin: Vec3): Generator<BoundedPrimitive> {
-  for (const primitive of shapesOf(scene, origin)) {
-    const { shape } = primitive;
-    if (kindOf(shape).meeting(shape) === "bounded") yield primitive;
+export function boundedShapesOf(scene: ResolvedScene): BoundedPrimitive[] {
+  const { shapes } = placed(scene);
+  const bounded: BoundedPrimitive[] = [];
+  for (const [id, shape] of shapes.entries()) {
+    if (shape && kindOf(shape).meeting(shape) === "bounded") bounded.push({ id, shape });
   }
+  return bounded;
 }
 
 /** Whether a scene has something for the tree: for `prepareGeometry`, which pages load only then. */
 export function needsGeometry(scene: ResolvedScene): boolean {
-  if (scene.objects.some(isMesh)) return true;
-  const bounded = boundedShapesOf(scene, scene.camera.target);
-  for (let count = 0; !bounded.next().done; count++) if (count === MAX_UNROLLED) return true;
-  return false;
+  return scene.objects.some(isMesh) || boundedShapesOf(scene).length > MAX_UNROLLED;
 }

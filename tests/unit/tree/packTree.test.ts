@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { buildBvh } from "../../../src/bvh/buildBvh";
-import { packTree } from "../../../src/compile/packTree";
+import { packTree } from "../../../src/tree/packTree";
 import { createRandom } from "../../support/random";
 
 const NODE_WORDS = 8;

@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
-import { MAX_UNROLLED, needsGeometry } from "../../../src/compile/boundedShapes";
-import { treeShapesOf } from "../../../src/compile/treeShapes";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { SceneObject, Vec3 } from "../../../src/scene/schema";
+import { MAX_UNROLLED, needsGeometry } from "../../../src/tree/boundedShapes";
+import { treeShapesOf } from "../../../src/tree/treeShapes";
 import { createRandom } from "../../support/random";
 
 const material = "m";
@@ -25,8 +25,7 @@ const WALLS: readonly SceneObject[] = [
 
 const sceneOf = (objects: readonly SceneObject[]) =>
   parseScene({ camera: { position: [0, 0, 5], target: [0, 0, 0] }, materials: { m: {} }, objects });
-const inTree = (objects: readonly SceneObject[]) =>
-  treeShapesOf(sceneOf(objects), [0, 0, 0]).map(({ id }) => objects[id]!);
+const inTree = (objects: readonly SceneObject[]) => treeShapesOf(sceneOf(objects)).map(({ id }) => objects[id]!);
 
 test("few shapes are all unrolled, of one more the small ones are in the tree", () => {
   expect(inTree(balls(MAX_UNROLLED))).toEqual([]);

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { inSceneUnits } from "../../../src/compile/sceneUnits";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Vec3 } from "../../../src/scene/schema";
+import { inSceneUnits } from "../../../src/shapes/sceneUnits";
 
 const sceneOfSize = (size: number) =>
   parseScene({

@@ -1,7 +1,7 @@
 import { kindOfLight } from "../lights/lights";
 import { length, scale, subtract } from "../math/vec3";
 import type { ResolvedScene, Rgb, Vec3 } from "../scene/schema";
-import { kindOfObject } from "../shapes/shapes";
+import { kindOfObject } from "./shapes";
 
 // Scenes whose camera is between these powers of two from what it looks at keep the metre: products of three and four lengths
 // near it are well within f32.

@@ -1,5 +1,5 @@
+import type { Textures } from "../compile/packTextures";
 import type { ResolvedTexture } from "../scene/schema";
-import type { Textures } from "./packTextures";
 
 /** The texels of all pictures, as they are; undefined if there are none. One after the other they are what the shader reads. */
 export function texelParts(textures: Textures): readonly Uint8Array[] | undefined {

@@ -1,6 +1,6 @@
 // Which shapes go into the tree of a scene that has too many to unroll them all.
 
-import type { ResolvedScene, Vec3 } from "../scene/schema";
+import type { ResolvedScene } from "../scene/schema";
 import { type BoundedPrimitive, boundedShapesOf, MAX_UNROLLED } from "./boundedShapes";
 import { boundsOfShape } from "./boundsOfShape";
 
@@ -14,8 +14,8 @@ const FEW = 4;
 const MOST_LARGE = MAX_UNROLLED - 4 * FEW;
 
 /** The bounded shapes that are not unrolled: none of up to `MAX_UNROLLED`; of more, all but the large ones and rare kinds. */
-export function treeShapesOf(scene: ResolvedScene, origin: Vec3): BoundedPrimitive[] {
-  const bounded = [...boundedShapesOf(scene, origin)];
+export function treeShapesOf(scene: ResolvedScene): BoundedPrimitive[] {
+  const bounded = boundedShapesOf(scene);
   if (bounded.length <= MAX_UNROLLED) return [];
   const boxes = bounded.map(({ shape }) => boundsOfShape(shape));
   const least = LARGE_SHARE * halfArea(boxAround(boxes));

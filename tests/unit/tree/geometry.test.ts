@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { prepareGeometry } from "../../../src/compile/geometry";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Scene } from "../../../src/scene/schema";
+import { prepareGeometry } from "../../../src/tree/geometry";
 import { cube, meshObject, placed, smoothSphere } from "../../support/meshes";
 
 const scene = (changes: Partial<Scene> = {}): Scene => ({
