@@ -4,7 +4,7 @@ import type { FrameUniforms, TracePass } from "../gpu/tracePass";
 import { ErrorChecks } from "./errorChecks";
 import type { InFlight } from "./inFlight";
 import type { Meter } from "./meter";
-import { Progress, type Slice } from "./progress";
+import { Schedule, type Slice } from "./schedule";
 import { type Settings, sampleLimit } from "./settings";
 import { takeSlices } from "./takeSlices";
 
@@ -45,7 +45,7 @@ export class Accumulation {
   readonly #meter: Meter;
   /** Taken when it starts, so that a pass is of one piece whatever changes meanwhile. */
   #shared: SharedUniforms;
-  #progress: Progress;
+  #schedule: Schedule;
   #checks = new ErrorChecks();
   #isDisposed = false;
 
@@ -63,23 +63,23 @@ export class Accumulation {
     this.#inFlight = inFlight;
     this.#meter = meter;
     this.#shared = shared;
-    this.#progress = new Progress(width, height);
+    this.#schedule = new Schedule(width, height);
   }
 
   /** Samples per pixel that have been submitted, complete passes only. */
   get samples(): number {
-    return this.#progress.samples;
+    return this.#schedule.samples;
   }
 
   /** Whether the first pass is under way. */
   get isInFirstPass(): boolean {
-    return this.samples === 0 && !this.#progress.isComplete;
+    return this.samples === 0 && !this.#schedule.isComplete;
   }
 
   /** Empties the film, for another picture of the same size. */
   restart(shared: SharedUniforms, settings: Settings): void {
     this.#shared = shared;
-    this.#progress = new Progress(this.film.width, this.film.height);
+    this.#schedule = new Schedule(this.film.width, this.film.height);
     this.#checks = new ErrorChecks();
     this.#meter.restart(settings);
     this.#guard(() => {
@@ -103,12 +103,12 @@ export class Accumulation {
    */
   work(trace: TracePass, { budgetMs, samples, end, isWatched }: Portion, settings: () => Settings): Promise<void> {
     const readback = this.#inFlight.freeReadback;
-    const progress = this.#progress;
+    const schedule = this.#schedule;
     const checks = this.#checks;
     const { pace } = this.#meter;
     const limits = { paths: pace.pathsFor(budgetMs), samples, dispatchSamples: pace.dispatchSamples, isWatched };
-    const slices = takeSlices(progress, limits);
-    const taken = progress.samples;
+    const slices = takeSlices(schedule, limits);
+    const taken = schedule.samples;
     const wantsError = checks.ask(taken, settings().targetError, taken >= end, performance.now());
 
     this.#guard(() => {
@@ -123,7 +123,7 @@ export class Accumulation {
     const submit = this.#meter.submit(slices.reduce((sum, { paths }) => sum + paths, 0));
     return this.#inFlight.add(readback, submit.wakeAt - submit.at, wantsError, (report) => {
       this.#meter.finish(submit, report);
-      if (progress !== this.#progress || this.#isDisposed) return; // what it added is gone
+      if (schedule !== this.#schedule || this.#isDisposed) return; // what it added is gone
       if (wantsError) checks.report(taken);
       this.#meter.count(taken, report);
       this.#meter.updateConverged(settings());

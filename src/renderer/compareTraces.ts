@@ -8,7 +8,7 @@ import { TracePass } from "../gpu/tracePass";
 import type { SharedUniforms } from "./accumulation";
 import type { Pace } from "./pace";
 import type { Program } from "./program";
-import { Progress } from "./progress";
+import { Schedule } from "./schedule";
 import { takeSlices } from "./takeSlices";
 
 /** A program and the values it reads. */
@@ -49,7 +49,7 @@ export async function compareTraces(
   const measure = async (trace: TracePass): Promise<number> => {
     const { dispatchSamples } = pace;
     const limits = { paths: pace.pathsFor(MEASURED_MS), samples: MOST_SAMPLES, dispatchSamples, isWatched: false };
-    const slices = takeSlices(new Progress(width, height), limits);
+    const slices = takeSlices(new Schedule(width, height), limits);
     const paths = slices.reduce((sum, slice) => sum + slice.paths, 0);
     const submittedAt = performance.now();
     const { error } = scoped(device, () => {

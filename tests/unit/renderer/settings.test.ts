@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { Meter } from "../../../src/renderer/meter";
-import { Progress } from "../../../src/renderer/progress";
+import { Schedule } from "../../../src/renderer/schedule";
 import { DEFAULT_SETTINGS, sampleLimit } from "../../../src/renderer/settings";
 
 // The largest count that an f32 reaches in steps of one.
@@ -13,13 +13,13 @@ test("a film that runs for a year stops where its halves can count no further", 
     limit,
     100,
   ]);
-  const progress = new Progress(1, 1);
-  while (progress.samples < limit) {
-    const slice = progress.next(1e9, 1_000_003, limit - progress.samples);
+  const schedule = new Schedule(1, 1);
+  while (schedule.samples < limit) {
+    const slice = schedule.next(1e9, 1_000_003, limit - schedule.samples);
     expect(slice.firstSample + slice.sampleCount).toBeLessThanOrEqual(COUNTED);
-    progress.finish(slice);
+    schedule.finish(slice);
   }
-  expect(progress.samples).toBe(limit);
+  expect(schedule.samples).toBe(limit);
 });
 
 test("at that limit sampling rests, whatever maxSamples is", () => {
