@@ -12,6 +12,7 @@ import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
 import { Accumulation, type Guard, type Portion, type SharedUniforms, type Surroundings } from "./accumulation";
 import { type Bakeable, Baked, type IsQuicker } from "./baked";
+import { type BuiltGeometry, buildGeometry } from "./buildGeometry";
 import { cameraBasis, lampPixels, rayStart } from "./camera";
 import { checkSettings } from "./checkSettings";
 import { Display, readPicture, type View } from "./display";
@@ -19,7 +20,6 @@ import { InFlight } from "./inFlight";
 import { Meter } from "./meter";
 import { Pace } from "./pace";
 import type { Picked, Picker, Sight } from "./picker";
-import { type Prepared, prepareGeometry } from "./prepareGeometry";
 import { createProgram, type Program, programKey } from "./program";
 import { DEFAULT_SETTINGS, type Settings, sampleLimit } from "./settings";
 import type { Stats } from "./stats";
@@ -124,7 +124,7 @@ export class PathTracer {
     const settings = { ...DEFAULT_SETTINGS, ...options.settings };
     const scene = parseScene(options.scene);
     checkSettings(settings, scene.maxBounces);
-    const geometry = needsGeometry(scene) ? await prepareGeometry(scene, options) : undefined;
+    const geometry = needsGeometry(scene) ? await buildGeometry(scene, options) : undefined;
     const compiled = compileScene(scene, settings, undefined, geometry?.source);
     const device = options.device ?? (await requestDevice());
     try {
@@ -152,7 +152,7 @@ export class PathTracer {
     device: GPUDevice,
     settings: Settings,
     scene: ResolvedScene,
-    geometry: Prepared | undefined,
+    geometry: BuiltGeometry | undefined,
     compiled: CompiledScene,
     program: Program,
     errorPipeline: GPUComputePipeline,
@@ -441,7 +441,7 @@ export class PathTracer {
   async #prepare(scene: ResolvedScene, options: SceneOptions & { readonly signal: AbortSignal }): Promise<void> {
     const previous = this.#geometry?.source;
     // Not even a turn of the event loop for scenes that have none.
-    const geometry = needsGeometry(scene) ? await prepareGeometry(scene, { previous, ...options }) : undefined;
+    const geometry = needsGeometry(scene) ? await buildGeometry(scene, { previous, ...options }) : undefined;
     options.signal.throwIfAborted();
     let program = this.#program;
     for (;;) {
@@ -452,7 +452,12 @@ export class PathTracer {
     }
   }
 
-  #show({ scene, camera }: Shown, geometry: Prepared | undefined, compiled: CompiledScene, program: Program): void {
+  #show(
+    { scene, camera }: Shown,
+    geometry: BuiltGeometry | undefined,
+    compiled: CompiledScene,
+    program: Program,
+  ): void {
     const previous = this.#geometry;
     const hasSameGeometry = geometry?.source === previous?.source;
     // First, because the device may have no room for it: then the old scene stays.

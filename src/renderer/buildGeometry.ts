@@ -3,14 +3,17 @@ import type { SceneGeometry } from "../gpu/sceneGeometry";
 import type { ResolvedScene } from "../scene/schema";
 
 /** A scene's geometry, and how it gets to a device. */
-export type Prepared = { readonly source: Geometry; readonly upload: (device: GPUDevice) => SceneGeometry };
+export type BuiltGeometry = { readonly source: Geometry; readonly upload: (device: GPUDevice) => SceneGeometry };
 
 /** The tree's builder is a tenth of what the renderer weighs: pages whose scenes have no need of it do not load it. */
-export async function prepareGeometry(scene: ResolvedScene, options: GeometryOptions): Promise<Prepared | undefined> {
-  const [geometry, { SceneGeometry }] = await Promise.all([
+export async function buildGeometry(
+  scene: ResolvedScene,
+  options: GeometryOptions,
+): Promise<BuiltGeometry | undefined> {
+  const [{ prepareGeometry }, { SceneGeometry }] = await Promise.all([
     import("../compile/geometry"),
     import("../gpu/sceneGeometry"),
   ]);
-  const source = await geometry.prepareGeometry(scene, options);
+  const source = await prepareGeometry(scene, options);
   return source && { source, upload: (device) => new SceneGeometry(device, source) };
 }
