@@ -13,9 +13,10 @@ import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/sche
 import { Accumulation, type Guard, type Portion, type SharedUniforms, type Surroundings } from "./accumulation";
 import { type Bakeable, Baked, type IsQuicker } from "./baked";
 import { type BuiltGeometry, buildGeometry } from "./buildGeometry";
-import { cameraBasis, lampPixels, rayStart } from "./camera";
+import { cameraBasis, lampPixels, rayStart } from "./cameraBasis";
 import { checkSettings } from "./checkSettings";
 import { Display, readPicture, type View } from "./display";
+import { firstPathsFor } from "./firstPathsFor";
 import { InFlight } from "./inFlight";
 import { Meter } from "./meter";
 import { Pace } from "./pace";
@@ -23,7 +24,6 @@ import type { Picked, Picker, Sight } from "./picker";
 import { createProgram, type Program, programKey } from "./program";
 import { DEFAULT_SETTINGS, type Settings, sampleLimit } from "./settings";
 import type { Stats } from "./stats";
-import { firstPathsFor } from "./workload";
 
 /** What a tracer is made from. */
 export type PathTracerOptions = {

@@ -6,7 +6,7 @@ import { explainFailure } from "../gpu/device";
 import { createPickPipeline, type PickPipeline, runPick } from "../gpu/pickPass";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
 import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
-import { cameraBasis, rayStart } from "./camera";
+import { cameraBasis, rayStart } from "./cameraBasis";
 import { programKey } from "./program";
 
 /** What is seen at a point of the picture. */
