@@ -1,5 +1,5 @@
-import { TONE_MAPS, type ToneMap } from "../gpu/blitPass";
 import { DEFAULT_SETTINGS, type Settings } from "../renderer/settings";
+import { TONE_MAPS, type ToneMap } from "../renderer/view";
 import {
   EXPOSURE_RULE,
   LOADING_MODES,

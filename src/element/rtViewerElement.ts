@@ -1,8 +1,8 @@
 import { RtViewerError, WebGpuError } from "../errors";
 import type { PanelKnobs, ScenePart } from "../panel/panel";
-import type { View } from "../renderer/display";
 import type { PathTracer } from "../renderer/pathTracer";
 import type { Stats } from "../renderer/stats";
+import type { View } from "../renderer/view";
 import type { ResolvedCamera, Scene } from "../scene/schema";
 import { OBSERVED_ATTRIBUTES, settingOfAttribute } from "./attributes";
 import { parseCameraOrbit } from "./cameraOrbit";

@@ -15,15 +15,17 @@ import { type Bakeable, Baked, type IsQuicker } from "./baked";
 import { type BuiltGeometry, buildGeometry } from "./buildGeometry";
 import { cameraBasis, lampPixels, rayStart } from "./cameraBasis";
 import { checkSettings } from "./checkSettings";
-import { Display, readPicture, type View } from "./display";
+import { Display } from "./display";
 import { firstPathsFor } from "./firstPathsFor";
 import { InFlight } from "./inFlight";
 import { Meter } from "./meter";
 import { Pace } from "./pace";
 import type { Picked, Picker, Sight } from "./picker";
 import { createProgram, type Program, programKey } from "./program";
+import { readPicture } from "./readPicture";
 import { DEFAULT_SETTINGS, type Settings, sampleLimit } from "./settings";
 import type { Stats } from "./stats";
+import type { View } from "./view";
 
 /** What a tracer is made from. */
 export type PathTracerOptions = {
