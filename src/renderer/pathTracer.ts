@@ -23,7 +23,7 @@ import { Pace } from "./pace";
 import type { Picked, Picker, Sight } from "./picker";
 import { createProgram, type Program, programKey } from "./program";
 import { readPicture } from "./readPicture";
-import { DEFAULT_SETTINGS, type Settings, sampleLimit } from "./settings";
+import { DEFAULT_SETTINGS, effectOfChange, type Settings, sampleLimit } from "./settings";
 import type { Stats } from "./stats";
 import type { View } from "./view";
 
@@ -262,11 +262,11 @@ export class PathTracer {
     checkSettings(next, (this.#pending ?? this).scene.maxBounces);
     this.#settings = next;
     this.#meter.updateConverged(this.#settings);
-    const isAnother = (key: keyof Settings) => before[key] !== this.#settings[key];
-    const isCompiledAnew = (["lightSamples", "estimator", "sampler", "constants"] as const).some(isAnother);
-    if (isCompiledAnew || isAnother("maxBounces") || isAnother("seed")) this.#stale = true;
+    const effect = effectOfChange(before, next);
+    if (effect !== "none") this.#stale = true;
     // What is pending is compiled for the newest settings as it is.
-    if (isCompiledAnew && !this.#pending) this.#install({ scene: this.#scene, camera: this.#camera }).catch(this.#fail);
+    if (effect === "recompile" && !this.#pending)
+      this.#install({ scene: this.#scene, camera: this.#camera }).catch(this.#fail);
   }
 
   /** Starts the accumulation anew. */
