@@ -489,7 +489,8 @@ export class PathTracer {
 
   #createTrace(): TracePass {
     const { pipelines } = this.#program;
-    return new TracePass(this.device, pipelines, this.#compiled.uniform, this.#geometry, this.#accumulation.film);
+    const [scene, geometry, { film }] = [this.#compiled.uniform, this.#geometry, this.#accumulation];
+    return new TracePass(this.device, { pipelines, scene, geometry, film });
   }
 
   /** Whether a program with the scene's values as constants is to take the place of the one that runs. */
@@ -505,7 +506,7 @@ export class PathTracer {
     const scale = Math.min(1, COMPARED_SIDE / Math.max(this.width, this.height));
     const shared = this.#sharedUniforms(Math.ceil(scale * this.width), Math.ceil(scale * this.height));
     const { pace } = this.#meter;
-    const ratio = await compareTraces(this.device, contenders, this.#geometry, shared, pace, isWanted);
+    const ratio = await compareTraces(this.device, { contenders, geometry: this.#geometry, shared, pace, isWanted });
     if (ratio !== undefined && ratio > 1) this.#unbakeable = general;
     return ratio !== undefined && ratio <= 1;
   };
