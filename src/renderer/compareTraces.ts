@@ -5,10 +5,10 @@ import { Film } from "../gpu/film";
 import { Readback } from "../gpu/readback";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { TracePass } from "../gpu/tracePass";
-import type { SharedUniforms } from "./accumulation";
 import type { Pace } from "./pace";
 import type { Program } from "./program";
 import { Schedule } from "./schedule";
+import type { SharedUniforms } from "./sharedUniforms";
 import { takeSlices } from "./takeSlices";
 
 /** A program and the values it reads. */
