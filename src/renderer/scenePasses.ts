@@ -1,8 +1,7 @@
-import type { CompiledScene } from "../compile/compileScene";
 import { explainFailure } from "../gpu/device";
 import type { Film } from "../gpu/film";
 import { TracePass } from "../gpu/tracePass";
-import { type Bakeable, Baked } from "./baked";
+import { type Bakeable, Baked, type IsQuicker } from "./baked";
 import type { InstalledScene } from "./installation";
 import type { Pace } from "./pace";
 import type { Program } from "./program";
@@ -78,7 +77,7 @@ export class ScenePasses {
   async bake(pace: () => Pace): Promise<void> {
     if (this.#settings().constants === "auto" && this.#unbakeable === this.#shown().program) return;
     try {
-      await this.#baked.compile(this.#bakeable, (...contender) => this.#isQuicker(pace, ...contender));
+      await this.#baked.compile(this.#bakeable, this.#isQuicker(pace));
     } catch (error) {
       throw await explainFailure(this.#device, error);
     }
@@ -103,26 +102,23 @@ export class ScenePasses {
   }
 
   /** Whether a program with the scene's values as constants is to take the place of the general one. */
-  async #isQuicker(
-    pace: () => Pace,
-    program: Program,
-    compiled: CompiledScene,
-    isWanted: () => boolean,
-  ): Promise<boolean> {
-    if (this.#settings().constants !== "auto") return true;
-    const { compareTraces } = await import("./compareTraces");
-    if (!isWanted()) return false;
-    const general = this.#shown();
-    const { width, height } = this.#film;
-    const scale = Math.min(1, COMPARED_SIDE / Math.max(width, height));
-    const ratio = await compareTraces(this.#device, {
-      contenders: [general, { program, compiled }],
-      geometry: general.geometry,
-      shared: sharedUniforms(general, this.#settings(), Math.ceil(scale * width), Math.ceil(scale * height)),
-      pace: pace(),
-      isWanted,
-    });
-    if (ratio !== undefined && ratio > 1) this.#unbakeable = general.program;
-    return ratio !== undefined && ratio <= 1;
+  #isQuicker(pace: () => Pace): IsQuicker {
+    return async (program, compiled, isWanted) => {
+      if (this.#settings().constants !== "auto") return true;
+      const { compareTraces } = await import("./compareTraces");
+      if (!isWanted()) return false;
+      const general = this.#shown();
+      const { width, height } = this.#film;
+      const scale = Math.min(1, COMPARED_SIDE / Math.max(width, height));
+      const ratio = await compareTraces(this.#device, {
+        contenders: [general, { program, compiled }],
+        geometry: general.geometry,
+        shared: sharedUniforms(general, this.#settings(), Math.ceil(scale * width), Math.ceil(scale * height)),
+        pace: pace(),
+        isWanted,
+      });
+      if (ratio !== undefined && ratio > 1) this.#unbakeable = general.program;
+      return ratio !== undefined && ratio <= 1;
+    };
   }
 }
