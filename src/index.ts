@@ -1,6 +1,8 @@
 export { LoadError, RtViewerError, SceneError, type SceneIssue, UnsupportedError, WebGpuError } from "./errors";
-export type { ToneMap } from "./gpu/blitPass";
-export type { View } from "./renderer/display";
+export type { ToneMap, View } from "./renderer/view";
+
+// docs/api lists exports in this order. Biome sorts up to a comment, so that the view stays before the tracer.
+
 export { PathTracer, type PathTracerOptions, type SceneOptions } from "./renderer/pathTracer";
 export type { Picked } from "./renderer/picker";
 export { DEFAULT_SETTINGS, type Settings } from "./renderer/settings";

@@ -1,6 +1,6 @@
-import { TONE_MAPS } from "../gpu/blitPass";
 import { type NumberRange, SETTING_RANGES } from "../renderer/checkSettings";
 import { DEFAULT_SETTINGS } from "../renderer/settings";
+import { TONE_MAPS } from "../renderer/view";
 import { flag, keyword, number, numberOr, type Reflection, text } from "./attributeKinds";
 import type { BoundOnDemand } from "./boundOnDemand";
 import { parseCameraOrbit } from "./cameraOrbit";

@@ -1,7 +1,7 @@
 import { WebGpuError } from "../errors";
-import type { View } from "../renderer/display";
 import type { PathTracer } from "../renderer/pathTracer";
 import type { Settings } from "../renderer/settings";
+import type { View } from "../renderer/view";
 import type { PixelSize } from "./canvasSize";
 import { FrameBudget } from "./frameBudget";
 

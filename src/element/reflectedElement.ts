@@ -1,5 +1,5 @@
-import type { ToneMap } from "../gpu/blitPass";
 import { DEFAULT_SETTINGS, type Settings } from "../renderer/settings";
+import type { ToneMap } from "../renderer/view";
 import type { Reflection } from "./attributeKinds";
 import { ATTRIBUTES, type LoadingMode, SETTING_ATTRIBUTES, SETTING_NAMES } from "./attributes";
 import type { RtViewerEventTarget } from "./events";

@@ -1,5 +1,5 @@
 import { RtViewerError } from "../errors";
-import { encodePfm } from "../renderer/pfm";
+import { encodePfm } from "../renderer/encodePfm";
 
 /**
  * Puts a picture into a file: radiance as a Portable FloatMap, sRGB bytes as what the browser's canvas encodes.

@@ -1,8 +1,8 @@
 import { SceneError, UnsupportedError, WebGpuError } from "../errors";
 import { lossOf } from "../gpu/device";
-import type { View } from "../renderer/display";
 import { PathTracer, type SceneOptions } from "../renderer/pathTracer";
 import { DEFAULT_SETTINGS, type Settings } from "../renderer/settings";
+import type { View } from "../renderer/view";
 import type { ResolvedCamera, Scene } from "../scene/schema";
 import { type CameraOrbit, placeOnOrbit } from "./cameraOrbit";
 import type { PixelSize } from "./canvasSize";

@@ -4,13 +4,7 @@ import type { Film, FilmSums } from "./film";
 import { BufferUsage, TextureUsage } from "./flags";
 import { checkCount } from "./limits";
 
-/** How radiance is brought into a display's range, in the order of `displayed` in `wgsl/tonemap.wgsl`. */
-export const TONE_MAPS = ["none", "aces", "agx"] as const;
-
-/** One of these ways: light cut off at 1, Hill's fit of ACES, or AgX. */
-export type ToneMap = (typeof TONE_MAPS)[number];
-
-export type ViewUniforms = StructValue<typeof VIEW.fields>;
+type ViewUniforms = StructValue<typeof VIEW.fields>;
 
 /** For targets of one format. */
 export type BlitPipelines = { readonly show: GPURenderPipeline; readonly stretch: GPURenderPipeline };
@@ -45,9 +39,10 @@ export class BlitPass {
 
   /**
    * @param exposure - factor on radiance.
+   * @param toneMap - as `displayed` in `wgsl/tonemap.wgsl` counts them.
    * @throws {UnsupportedError} if the target, or a film that is stretched over it, is too large for a texture.
    */
-  encode(encoder: GPUCommandEncoder, target: GPUTexture, exposure: number, toneMap: ToneMap): void {
+  encode(encoder: GPUCommandEncoder, target: GPUTexture, exposure: number, toneMap: number): void {
     const { width, height } = this.#film;
     const isStretched = width !== target.width || height !== target.height;
     checkTexture(this.#device, target);
@@ -56,7 +51,7 @@ export class BlitPass {
       filmSize: [width, height],
       targetSize: [target.width, target.height],
       exposure,
-      toneMap: TONE_MAPS.indexOf(toneMap),
+      toneMap,
     };
     VIEW.write(this.#bytes, 0, view);
     this.#device.queue.writeBuffer(this.#uniforms, 0, this.#bytes.buffer);

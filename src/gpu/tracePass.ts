@@ -59,6 +59,15 @@ function createTraceLayout(
   return device.createPipelineLayout({ label: "trace", bindGroupLayouts: [group] });
 }
 
+/** What a trace pass reads and writes. */
+export type TraceTarget = {
+  readonly pipelines: TracePipelines;
+  /** The scene's values, for the program's uniform. */
+  readonly scene: ArrayBuffer;
+  readonly geometry: SceneGeometry | undefined;
+  readonly film: Film;
+};
+
 /** The compute pass that traces paths, for one compiled program, scene and film. */
 export class TracePass {
   readonly #device: GPUDevice;
@@ -69,13 +78,7 @@ export class TracePass {
   #written: ArrayBuffer | undefined;
   readonly #frameBytes = new DataView(new ArrayBuffer(FRAME_STRIDE * MAX_DISPATCHES));
 
-  constructor(
-    device: GPUDevice,
-    pipelines: TracePipelines,
-    scene: ArrayBuffer,
-    geometry: SceneGeometry | undefined,
-    film: Film,
-  ) {
+  constructor(device: GPUDevice, { pipelines, scene, geometry, film }: TraceTarget) {
     this.#device = device;
     this.#pipelines = pipelines;
     const usage = BufferUsage.UNIFORM | BufferUsage.COPY_DST;

@@ -1,15 +1,14 @@
 import { ErrorPass } from "../gpu/errorPass";
 import { Film } from "../gpu/film";
-import type { FrameUniforms, TracePass } from "../gpu/tracePass";
+import type { TracePass } from "../gpu/tracePass";
+import type { DeviceGuard } from "./deviceGuard";
 import { ErrorChecks } from "./errorChecks";
 import type { InFlight } from "./inFlight";
 import type { Meter } from "./meter";
-import { Progress, type Slice } from "./progress";
+import { Schedule } from "./schedule";
 import { type Settings, sampleLimit } from "./settings";
+import type { SharedUniforms } from "./sharedUniforms";
 import { takeSlices } from "./takeSlices";
-
-/** What the dispatches of one accumulation have in common. */
-export type SharedUniforms = Omit<FrameUniforms, keyof Slice>;
 
 /** How much one submit may do. */
 export type Portion = {
@@ -23,13 +22,9 @@ export type Portion = {
   readonly isWatched: boolean;
 };
 
-/** Does GPU work, and takes care of what the device says against it. */
-export type Guard = <T>(work: () => T) => T;
-
 /** What an accumulation works with; all of it outlives it. */
 export type Surroundings = {
-  readonly device: GPUDevice;
-  readonly guard: Guard;
+  readonly guard: DeviceGuard;
   readonly errorPipeline: GPUComputePipeline;
   readonly inFlight: InFlight;
   readonly meter: Meter;
@@ -38,14 +33,13 @@ export type Surroundings = {
 /** The samples of one picture: the film, what it holds, what comes next, and how wrong it is. */
 export class Accumulation {
   readonly film: Film;
-  readonly #device: GPUDevice;
-  readonly #guard: Guard;
+  readonly #guard: DeviceGuard;
   readonly #errorPass: ErrorPass;
   readonly #inFlight: InFlight;
   readonly #meter: Meter;
   /** Taken when it starts, so that a pass is of one piece whatever changes meanwhile. */
   #shared: SharedUniforms;
-  #progress: Progress;
+  #schedule: Schedule;
   #checks = new ErrorChecks();
   #isDisposed = false;
 
@@ -54,38 +48,37 @@ export class Accumulation {
    *
    * @param shared - of the film's size.
    */
-  constructor({ device, guard, errorPipeline, inFlight, meter }: Surroundings, shared: SharedUniforms) {
+  constructor({ guard, errorPipeline, inFlight, meter }: Surroundings, shared: SharedUniforms) {
     const [width, height] = [shared.size[0]!, shared.size[1]!];
-    this.film = new Film(device, width, height);
-    this.#errorPass = new ErrorPass(device, errorPipeline, this.film);
-    this.#device = device;
+    this.film = new Film(guard.device, width, height);
+    this.#errorPass = new ErrorPass(guard.device, errorPipeline, this.film);
     this.#guard = guard;
     this.#inFlight = inFlight;
     this.#meter = meter;
     this.#shared = shared;
-    this.#progress = new Progress(width, height);
+    this.#schedule = new Schedule(width, height);
   }
 
   /** Samples per pixel that have been submitted, complete passes only. */
   get samples(): number {
-    return this.#progress.samples;
+    return this.#schedule.samples;
   }
 
   /** Whether the first pass is under way. */
   get isInFirstPass(): boolean {
-    return this.samples === 0 && !this.#progress.isComplete;
+    return this.samples === 0 && !this.#schedule.isComplete;
   }
 
   /** Empties the film, for another picture of the same size. */
   restart(shared: SharedUniforms, settings: Settings): void {
     this.#shared = shared;
-    this.#progress = new Progress(this.film.width, this.film.height);
+    this.#schedule = new Schedule(this.film.width, this.film.height);
     this.#checks = new ErrorChecks();
     this.#meter.restart(settings);
-    this.#guard(() => {
-      const encoder = this.#device.createCommandEncoder({ label: "restart" });
+    this.#guard.run(() => {
+      const encoder = this.#guard.device.createCommandEncoder({ label: "restart" });
       this.film.clear(encoder);
-      this.#device.queue.submit([encoder.finish()]);
+      this.#guard.device.queue.submit([encoder.finish()]);
     });
   }
 
@@ -103,27 +96,27 @@ export class Accumulation {
    */
   work(trace: TracePass, { budgetMs, samples, end, isWatched }: Portion, settings: () => Settings): Promise<void> {
     const readback = this.#inFlight.freeReadback;
-    const progress = this.#progress;
+    const schedule = this.#schedule;
     const checks = this.#checks;
     const { pace } = this.#meter;
     const limits = { paths: pace.pathsFor(budgetMs), samples, dispatchSamples: pace.dispatchSamples, isWatched };
-    const slices = takeSlices(progress, limits);
-    const taken = progress.samples;
+    const slices = takeSlices(schedule, limits);
+    const taken = schedule.samples;
     const wantsError = checks.ask(taken, settings().targetError, taken >= end, performance.now());
 
-    this.#guard(() => {
-      const encoder = this.#device.createCommandEncoder({ label: "sample" });
+    this.#guard.run(() => {
+      const encoder = this.#guard.device.createCommandEncoder({ label: "sample" });
       const frames = slices.map((slice) => ({ ...this.#shared, ...slice }));
       trace.encode(encoder, frames, readback.timestampWrites);
       if (wantsError) this.#errorPass.encode(encoder);
       readback.encode(encoder, this.film, wantsError ? this.#errorPass : undefined);
-      this.#device.queue.submit([encoder.finish()]);
+      this.#guard.device.queue.submit([encoder.finish()]);
     });
 
     const submit = this.#meter.submit(slices.reduce((sum, { paths }) => sum + paths, 0));
     return this.#inFlight.add(readback, submit.wakeAt - submit.at, wantsError, (report) => {
       this.#meter.finish(submit, report);
-      if (progress !== this.#progress || this.#isDisposed) return; // what it added is gone
+      if (schedule !== this.#schedule || this.#isDisposed) return; // what it added is gone
       if (wantsError) checks.report(taken);
       this.#meter.count(taken, report);
       this.#meter.updateConverged(settings());

@@ -98,6 +98,7 @@ export class Baked {
     this.#program = program;
     this.#scene = scene;
     this.#target = shown;
-    this.#trace = new TracePass(this.#device, program.pipelines, scene.uniform, shown.geometry, shown.film);
+    const [{ pipelines }, { geometry, film }] = [program, shown];
+    this.#trace = new TracePass(this.#device, { pipelines, scene: scene.uniform, geometry, film });
   }
 }

@@ -5,14 +5,26 @@ import { Film } from "../gpu/film";
 import { Readback } from "../gpu/readback";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { TracePass } from "../gpu/tracePass";
-import type { SharedUniforms } from "./accumulation";
 import type { Pace } from "./pace";
 import type { Program } from "./program";
-import { Progress } from "./progress";
+import { Schedule } from "./schedule";
+import type { SharedUniforms } from "./sharedUniforms";
 import { takeSlices } from "./takeSlices";
 
 /** A program and the values it reads. */
 export type Contender = { readonly program: Program; readonly compiled: CompiledScene };
+
+/** What two programs are compared on. */
+export type Comparison = {
+  readonly contenders: readonly [Contender, Contender];
+  readonly geometry: SceneGeometry | undefined;
+  /** For a film of their own, of the size that it says. */
+  readonly shared: SharedUniforms;
+  /** Learns from it. */
+  readonly pace: Pace;
+  /** Whether what is compared is still there; asked before each submit. */
+  readonly isWanted: () => boolean;
+};
 
 // Milliseconds of each measurement: less than a frame, long against what starting it takes.
 const MEASURED_MS = 4;
@@ -23,33 +35,26 @@ const TURNS = [0, 1, 1, 0] as const;
 const MOST_SAMPLES = 4096;
 
 /**
- * Times two programs that trace the same picture, on a film of their own.
- *
- * @param shared - for that film, of the size that it says.
- * @param pace - learns from it.
- * @param isWanted - whether what is compared is still there; asked before each submit.
+ * Times two programs that trace the same picture.
  * @returns how many times as long as the first the second one takes; undefined if that is not wanted any more.
  */
 export async function compareTraces(
   device: GPUDevice,
-  contenders: readonly [Contender, Contender],
-  geometry: SceneGeometry | undefined,
-  shared: SharedUniforms,
-  pace: Pace,
-  isWanted: () => boolean,
+  { contenders, geometry, shared, pace, isWanted }: Comparison,
 ): Promise<number | undefined> {
   const [width, height] = [shared.size[0]!, shared.size[1]!];
   const { film, readback, traces } = await checked(device, () => {
     const film = new Film(device, width, height);
     const traces = contenders.map(
-      ({ program, compiled }) => new TracePass(device, program.pipelines, compiled.uniform, geometry, film),
+      ({ program: { pipelines }, compiled: { uniform: scene } }) =>
+        new TracePass(device, { pipelines, scene, geometry, film }),
     );
     return { film, readback: new Readback(device), traces };
   });
   const measure = async (trace: TracePass): Promise<number> => {
     const { dispatchSamples } = pace;
     const limits = { paths: pace.pathsFor(MEASURED_MS), samples: MOST_SAMPLES, dispatchSamples, isWatched: false };
-    const slices = takeSlices(new Progress(width, height), limits);
+    const slices = takeSlices(new Schedule(width, height), limits);
     const paths = slices.reduce((sum, slice) => sum + slice.paths, 0);
     const submittedAt = performance.now();
     const { error } = scoped(device, () => {

@@ -1,7 +1,7 @@
 import { relativeError } from "../gpu/errorPass";
 import type { Report } from "../gpu/readback";
 import { Pace } from "./pace";
-import { Rate } from "./rates";
+import { Rate } from "./rate";
 import { type Settings, sampleLimit } from "./settings";
 import type { Stats } from "./stats";
 

@@ -1,64 +1,24 @@
-import { type CompiledScene, compileScene } from "../compile/compileScene";
-import { linkModule } from "../compile/linkProgram";
 import { RtViewerError } from "../errors";
-import { adapterName, explainFailure, requestDevice } from "../gpu/device";
+import { adapterName } from "../gpu/device";
 import { scoped } from "../gpu/errorScope";
 import { checkFilmSize, type Film } from "../gpu/film";
-import { createComputePipeline } from "../gpu/pipelines";
-import type { SceneGeometry } from "../gpu/sceneGeometry";
-import { TracePass } from "../gpu/tracePass";
 import { parseCamera, parseScene } from "../scene/parseScene";
 import type { Camera, ResolvedCamera, ResolvedScene, Scene } from "../scene/schema";
-import { needsGeometry } from "../tree/boundedShapes";
-import { Accumulation, type Guard, type Portion, type SharedUniforms, type Surroundings } from "./accumulation";
-import { type Bakeable, Baked, type IsQuicker } from "./baked";
-import { cameraBasis, lampPixels, rayStart } from "./camera";
 import { checkSettings } from "./checkSettings";
-import { Display, readPicture, type View } from "./display";
-import { InFlight } from "./inFlight";
+import type { DeviceGuard } from "./deviceGuard";
+import { Installation, type SceneOptions } from "./installation";
 import { Meter } from "./meter";
-import { Pace } from "./pace";
 import type { Picked, Picker, Sight } from "./picker";
-import { type Prepared, prepareGeometry } from "./prepareGeometry";
-import { createProgram, type Program, programKey } from "./program";
-import { DEFAULT_SETTINGS, type Settings, sampleLimit } from "./settings";
+import { Presenter } from "./presenter";
+import type { Program } from "./program";
+import { readPicture } from "./readPicture";
+import { Sampling } from "./sampling";
+import { effectOfChange, type Settings } from "./settings";
 import type { Stats } from "./stats";
-import { firstPathsFor } from "./workload";
+import { createParts, type PathTracerOptions, type TracerParts } from "./tracerParts";
+import type { View } from "./view";
 
-/** What a tracer is made from. */
-export type PathTracerOptions = {
-  readonly scene: Scene;
-  /** In pixels. */
-  readonly width: number;
-  readonly height: number;
-  /** Used, never destroyed. Without one the tracer requests its own and destroys it with itself. */
-  readonly device?: GPUDevice;
-  readonly settings?: Partial<Settings>;
-} & SceneOptions;
-
-/** What somebody who shows a scene may want to know meanwhile. */
-export type SceneOptions = {
-  /** Told which share of a scene's geometry is sorted, from 0 to 1, where there is much of it. */
-  readonly onProgress?: (fraction: number) => void;
-  /** Ends the sorting, in a worker too; the promise is then rejected with its reason. A scene that was shown stays. */
-  readonly signal?: AbortSignal;
-};
-
-/** A scene and where it is seen from. */
-type Shown = { readonly scene: ResolvedScene; readonly camera: ResolvedCamera };
-
-// Milliseconds of work in one submit: while a page renders, and while nobody watches.
-const FRAME_BUDGET_MS = 12;
-const BATCH_BUDGET_MS = 100;
-// A scene that has not changed for this long, in milliseconds, or is to take this many samples at once, is worth compiling
-// with its values as constants.
-const REST_MS = 500;
-const BAKE_SAMPLES = 16;
-// Where a path has no more rays than this, a change of the scene's values alone can't make it so much longer that what is known
-// of the pace would be dangerous.
-const FEW_RAYS = 32;
-// Pixels of the longer side where two programs are compared: enough to fill a GPU.
-const COMPARED_SIDE = 512;
+export type { PathTracerOptions, SceneOptions };
 
 /**
  * Renders a scene progressively on a WebGPU device. It needs no canvas and no DOM.
@@ -68,51 +28,14 @@ const COMPARED_SIDE = 512;
 export class PathTracer {
   /** Where it renders; the one that was given, or its own. */
   readonly device: GPUDevice;
-  readonly #ownsDevice: boolean;
-  readonly #inFlight: InFlight;
+  readonly #guard: DeviceGuard;
+  readonly #installation: Installation;
   readonly #meter: Meter;
-  readonly #surroundings: Surroundings;
+  readonly #sampling: Sampling;
+  readonly #presenter: Presenter;
   #picker: Picker | undefined;
-
-  #scene: ResolvedScene;
-  #camera: ResolvedCamera;
   #settings: Settings;
-  #compiled: CompiledScene;
-  #program: Program;
-  #geometry: SceneGeometry | undefined;
-  #trace: TracePass;
-  /** Stands in for program and trace while the scene rests. */
-  readonly #baked: Baked;
-  #accumulation: Accumulation;
-  #display: Display | Promise<void> | undefined;
-
-  /** The film must be cleared before the next sample, because what it shows has changed. */
-  #stale = true;
-  /** What will be shown once it is prepared and compiled, and that work; the newest only. */
-  #pending: Shown | undefined;
-  #installing: Promise<void> | undefined;
-  /** Ends that work, for something newer. */
-  #overtake = new AbortController();
-  /** When the accumulation last started anew. */
-  #restartedAt = 0;
-  #failure: unknown;
-  readonly #fail = (error: unknown): void => {
-    this.#failure ??= error;
-  };
-  /**
-   * Does GPU work. What the device says against it ends this tracer alone: a bug of ours, or a device out of memory. Calls are
-   * not nested, so that errors come in the order of their causes.
-   */
-  readonly #guarded: Guard = (work) => {
-    const { value, error } = scoped(this.device, work);
-    void error.then((failure) => failure && this.#fail(failure));
-    return value;
-  };
-  #disposed = false;
-  /** What the pace was learned from: while it stays, so does the pace. */
-  #paced: readonly unknown[] = [];
-  /** The program whose values, as constants, made it no quicker. */
-  #unbakeable: Program | undefined;
+  #isDisposed = false;
 
   /**
    * @throws {SceneError} with every issue, if the scene breaks the format.
@@ -121,58 +44,32 @@ export class PathTracer {
    * @throws {WebGpuError} if there is no WebGPU or no adapter, or the device is out of memory.
    */
   static async create(options: PathTracerOptions): Promise<PathTracer> {
-    const settings = { ...DEFAULT_SETTINGS, ...options.settings };
-    const scene = parseScene(options.scene);
-    checkSettings(settings, scene.maxBounces);
-    const geometry = needsGeometry(scene) ? await prepareGeometry(scene, options) : undefined;
-    const compiled = compileScene(scene, settings, undefined, geometry?.source);
-    const device = options.device ?? (await requestDevice());
+    const parts = await createParts(options);
+    const { guard } = parts;
     try {
-      checkFilmSize(device, options.width, options.height);
-      const [program, errorPipeline] = await Promise.all([
-        createProgram(device, compiled),
-        linkModule("error").then((code) => createComputePipeline(device, "error", code, "sumErrors")),
-      ]);
-      const { value: tracer, error } = scoped(
-        device,
-        () => new PathTracer(options, device, settings, scene, geometry, compiled, program, errorPipeline),
-      );
+      const { value: tracer, error } = scoped(guard.device, () => new PathTracer(parts));
       const failure = await error;
       if (failure === undefined) return tracer;
       tracer.dispose();
       throw failure;
     } catch (error) {
-      if (!options.device) device.destroy();
+      guard.dispose();
       throw error;
     }
   }
 
-  private constructor(
-    { device: givenDevice, width, height }: PathTracerOptions,
-    device: GPUDevice,
-    settings: Settings,
-    scene: ResolvedScene,
-    geometry: Prepared | undefined,
-    compiled: CompiledScene,
-    program: Program,
-    errorPipeline: GPUComputePipeline,
-  ) {
-    this.device = device;
-    this.#ownsDevice = givenDevice === undefined;
-    this.#settings = settings;
-    this.#scene = scene;
-    this.#camera = scene.camera;
-    this.#compiled = compiled;
-    this.#program = program;
-    this.#geometry = geometry?.upload(device); // first: it throws where there is no room for it
-    this.#inFlight = new InFlight(device);
-    this.#meter = new Meter(adapterName(device));
-    this.#meter.useProgram(program);
-    const [inFlight, meter] = [this.#inFlight, this.#meter];
-    this.#surroundings = { device, guard: this.#guarded, errorPipeline, inFlight, meter };
-    this.#accumulation = new Accumulation(this.#surroundings, this.#sharedUniforms(width, height));
-    this.#trace = this.#createTrace();
-    this.#baked = new Baked(device);
+  private constructor({ guard, settings: initial, first, ...film }: TracerParts) {
+    this.device = guard.device;
+    this.#guard = guard;
+    this.#settings = initial;
+    const settings = () => this.#settings;
+    const onChange = (needsPasses: boolean) => (needsPasses ? this.#sampling.rebuild() : this.#sampling.reset());
+    const installation = new Installation({ guard, first, settings, onChange });
+    const meter = new Meter(adapterName(guard.device));
+    this.#installation = installation;
+    this.#meter = meter;
+    this.#sampling = new Sampling({ guard, installation, meter, settings, ...film });
+    this.#presenter = new Presenter(guard);
   }
 
   /** Speed, error and what is compiled; one object, kept up to date. */
@@ -182,12 +79,12 @@ export class PathTracer {
 
   /** What is shown, with every default filled in. */
   get scene(): ResolvedScene {
-    return this.#scene;
+    return this.#installation.shown.scene;
   }
 
   /** From where it is shown: the scene's camera until another was set. */
   get camera(): ResolvedCamera {
-    return this.#camera;
+    return this.#installation.shown.camera;
   }
 
   /** How it is sampled. */
@@ -197,17 +94,17 @@ export class PathTracer {
 
   /** Of the film, in pixels. */
   get width(): number {
-    return this.#accumulation.film.width;
+    return this.#sampling.film.width;
   }
 
   /** Of the film, in pixels. */
   get height(): number {
-    return this.#accumulation.film.height;
+    return this.#sampling.film.height;
   }
 
   /** The linked shader that runs now, and what it contains. */
   get program(): Pick<Program, "wgsl" | "features" | "compileSeconds"> {
-    return this.#baked.program ?? this.#program;
+    return this.#sampling.program;
   }
 
   /**
@@ -220,16 +117,12 @@ export class PathTracer {
   async setScene(scene: Scene, options: SceneOptions = {}): Promise<void> {
     const resolved = parseScene(scene);
     checkSettings(this.#settings, resolved.maxBounces);
-    await this.#install({ scene: resolved, camera: resolved.camera }, options);
+    await this.#installation.install(resolved, options);
   }
 
   /** @throws {SceneError} The old camera stays. */
   setCamera(camera: Camera): void {
-    const resolved = parseCamera(camera);
-    if (this.#pending) this.#pending = { ...this.#pending, camera: resolved };
-    if (JSON.stringify(resolved) === JSON.stringify(this.#camera)) return;
-    this.#camera = resolved;
-    this.#stale = true;
+    this.#installation.setCamera(parseCamera(camera));
   }
 
   /**
@@ -238,15 +131,9 @@ export class PathTracer {
    * @throws {UnsupportedError} if the device has a limit below what that needs. The old size stays.
    */
   resize(width: number, height: number): void {
-    if (this.#disposed || (width === this.width && height === this.height)) return;
+    if (this.#isDisposed || (width === this.width && height === this.height)) return;
     checkFilmSize(this.device, width, height);
-    this.#accumulation.dispose();
-    this.#trace.dispose();
-    this.#guarded(() => {
-      this.#accumulation = new Accumulation(this.#surroundings, this.#sharedUniforms(width, height));
-      this.#trace = this.#createTrace();
-    });
-    this.#restart();
+    this.#sampling.resize(width, height);
   }
 
   /**
@@ -257,19 +144,17 @@ export class PathTracer {
   update(settings: Partial<Settings>): void {
     const before = this.#settings;
     const next = { ...before, ...settings };
-    checkSettings(next, (this.#pending ?? this).scene.maxBounces);
+    checkSettings(next, this.#installation.nextScene.maxBounces);
     this.#settings = next;
-    this.#meter.updateConverged(this.#settings);
-    const isAnother = (key: keyof Settings) => before[key] !== this.#settings[key];
-    const isCompiledAnew = (["lightSamples", "estimator", "sampler", "constants"] as const).some(isAnother);
-    if (isCompiledAnew || isAnother("maxBounces") || isAnother("seed")) this.#stale = true;
-    // What is pending is compiled for the newest settings as it is.
-    if (isCompiledAnew && !this.#pending) this.#install({ scene: this.#scene, camera: this.#camera }).catch(this.#fail);
+    this.#meter.updateConverged(next);
+    const effect = effectOfChange(before, next);
+    if (effect !== "none") this.#sampling.reset();
+    if (effect === "recompile") this.#installation.recompile().catch(this.#guard.fail);
   }
 
   /** Starts the accumulation anew. */
   reset(): void {
-    this.#stale = true;
+    this.#sampling.reset();
   }
 
   /**
@@ -279,24 +164,7 @@ export class PathTracer {
    * @throws {WebGpuError} if this or earlier work on the device failed.
    */
   async sample(count: number): Promise<void> {
-    while (!this.#inFlight.isEmpty || this.#installing || this.#geometry?.filling) {
-      await Promise.all([this.#inFlight.all(), this.#installing, this.#geometry?.filling]);
-    }
-    if (this.#disposed) return;
-    if (this.#stale) this.#restart();
-    if (count >= BAKE_SAMPLES) await this.compile();
-    const end = Math.min(this.#accumulation.samples + count, sampleLimit(this.#settings));
-    const isWanted = () => this.#accumulation.samples < end && !this.stats.converged;
-    while (isWanted() && !this.#disposed && this.#failure === undefined) {
-      const samples = Math.min(end - this.#accumulation.samples, this.#accumulation.allowedSamples(this.#settings));
-      // The first work says how much is right for the next.
-      const isBusy = this.#inFlight.isFull || !(this.#meter.pace.isKnown || this.#inFlight.isEmpty);
-      if (samples > 0 && !isBusy) this.#work({ budgetMs: BATCH_BUDGET_MS, samples, end, isWatched: false });
-      else if (!this.#inFlight.isEmpty) await this.#inFlight.any();
-      else break; // maxSamples has come down
-    }
-    await this.#inFlight.all();
-    if (this.#failure !== undefined) throw this.#failure;
+    await this.#sampling.sample(count);
   }
 
   /**
@@ -306,16 +174,7 @@ export class PathTracer {
    * @throws {WebGpuError} if the device fails.
    */
   async compile(): Promise<void> {
-    if (!this.#settings.constants || this.#disposed) return;
-    if (this.#stale) this.#restart();
-    if (this.#settings.constants === "auto" && this.#unbakeable === this.#program) return;
-    try {
-      await this.#baked.compile(this.#bakeable, this.#isQuicker);
-    } catch (error) {
-      throw await explainFailure(this.device, error);
-    }
-    if (this.#disposed) this.#baked.drop();
-    else this.#meter.useProgram(this.program);
+    await this.#sampling.compile();
   }
 
   /**
@@ -325,7 +184,7 @@ export class PathTracer {
    * @throws {WebGpuError} if the device fails, or is lost meanwhile.
    */
   async readRadiance(): Promise<Float32Array> {
-    return this.#filmToRead().read();
+    return this.#filmToRead.read();
   }
 
   /**
@@ -334,7 +193,7 @@ export class PathTracer {
    * @throws {RtViewerError} as `readRadiance` does, and if it has more pixels on a side than a texture of the device.
    */
   async readPicture(view: View = {}): Promise<Uint8ClampedArray> {
-    return readPicture(this.device, this.#filmToRead(), view);
+    return readPicture(this.device, this.#filmToRead, view);
   }
 
   /**
@@ -347,9 +206,9 @@ export class PathTracer {
    */
   async pick(x: number, y: number): Promise<Picked | undefined> {
     const { Picker } = await import("./picker");
-    if (this.#disposed) return undefined;
+    if (this.#isDisposed) return undefined;
     this.#picker ??= new Picker(this.device);
-    return this.#picker.pick(this.#sight, x, y);
+    return this.#picker.pick(() => this.#sight, x, y);
   }
 
   /**
@@ -359,17 +218,8 @@ export class PathTracer {
    * @throws {WebGpuError} if an earlier frame's work or a compilation failed.
    */
   frame(): boolean {
-    if (this.#failure !== undefined) throw this.#failure;
-    if (this.#disposed || this.#inFlight.isFull || this.#geometry?.filling) return false;
-    // Finish the first pass of what is shown before following a moving camera, or a slow adapter would never show any.
-    if (this.#stale && !this.#accumulation.isInFirstPass) this.#restart();
-    const { samplesPerFrame } = this.#settings;
-    const most = samplesPerFrame === "auto" ? Number.POSITIVE_INFINITY : samplesPerFrame;
-    const samples = Math.min(most, this.#accumulation.allowedSamples(this.#settings));
-    if (this.stats.converged || samples <= 0) return false;
-    if (!this.#installing && performance.now() - this.#restartedAt > REST_MS) this.compile().catch(this.#fail);
-    this.#work({ budgetMs: FRAME_BUDGET_MS, samples, end: sampleLimit(this.#settings), isWatched: true });
-    return true;
+    this.#guard.throwFailure();
+    return !this.#isDisposed && this.#sampling.frame();
   }
 
   /**
@@ -380,165 +230,28 @@ export class PathTracer {
    * @throws {UnsupportedError} if the canvas is larger than a texture of the device.
    */
   present(context: GPUCanvasContext, view: View = {}): boolean {
-    if (this.#disposed || this.#accumulation.samples === 0) return false;
+    if (this.#isDisposed || this.#sampling.samples === 0) return false;
     this.#meter.countFrame();
-    if (!(this.#display instanceof Display)) {
-      this.#display ??= this.#createDisplay(context.getConfiguration()!.format).catch(this.#fail);
-      return false;
-    }
-    const display = this.#display;
-    this.#guarded(() => display.draw(this.#accumulation.film, context.getCurrentTexture(), view));
-    return true;
+    return this.#presenter.present(this.#sampling.film, context, view);
   }
 
   /** Frees all GPU resources. Calling it again does nothing. */
   dispose(): void {
-    if (this.#disposed) return;
-    this.#disposed = true;
-    this.#overtake.abort();
-    this.#installing = this.#pending = undefined; // or sample() would wait for ever
-    this.#trace.dispose();
-    this.#geometry?.dispose();
-    this.#baked.drop();
+    if (this.#isDisposed) return;
+    this.#isDisposed = true;
+    this.#installation.dispose();
+    this.#sampling.dispose();
     this.#picker?.dispose();
-    this.#inFlight.dispose();
-    this.#accumulation.dispose();
-    if (this.#display instanceof Display) this.#display.dispose();
-    if (this.#ownsDevice) this.device.destroy();
+    this.#presenter.dispose();
+    this.#guard.dispose();
   }
 
-  async #createDisplay(format: GPUTextureFormat): Promise<void> {
-    const display = await Display.create(this.device, format);
-    if (this.#disposed) display.dispose();
-    else this.#display = display;
+  get #filmToRead(): Film {
+    if (this.#isDisposed) throw new RtViewerError("the path tracer has been disposed of: it has no picture any more");
+    return this.#sampling.film;
   }
 
-  #filmToRead(): Film {
-    if (this.#disposed) throw new RtViewerError("the path tracer has been disposed of: it has no picture any more");
-    return this.#accumulation.film;
-  }
-
-  /** Shows something else, once its geometry is sorted and a program that fits it is compiled. A newer call overtakes an older one. */
-  async #install(next: Shown, options: SceneOptions = {}): Promise<void> {
-    if (this.#disposed) return;
-    this.#overtake.abort();
-    this.#overtake = new AbortController();
-    const { signal } = this.#overtake;
-    this.#pending = next;
-    const either = AbortSignal.any([signal, options.signal ?? signal]);
-    const installing = this.#prepare(next.scene, { ...options, signal: either });
-    this.#installing = installing.catch(() => undefined); // for those who only wait
-    try {
-      await installing;
-    } catch (error) {
-      if (!signal.aborted) throw error;
-    } finally {
-      if (!signal.aborted) this.#installing = this.#pending = undefined;
-    }
-  }
-
-  /** In one go where nothing has to be sorted or compiled. */
-  async #prepare(scene: ResolvedScene, options: SceneOptions & { readonly signal: AbortSignal }): Promise<void> {
-    const previous = this.#geometry?.source;
-    // Not even a turn of the event loop for scenes that have none.
-    const geometry = needsGeometry(scene) ? await prepareGeometry(scene, { previous, ...options }) : undefined;
-    options.signal.throwIfAborted();
-    let program = this.#program;
-    for (;;) {
-      const compiled = compileScene(scene, this.#settings, undefined, geometry?.source);
-      if (program.key === programKey(compiled)) return this.#show(this.#pending!, geometry, compiled, program);
-      program = await createProgram(this.device, compiled); // settings may change meanwhile
-      options.signal.throwIfAborted();
-    }
-  }
-
-  #show({ scene, camera }: Shown, geometry: Prepared | undefined, compiled: CompiledScene, program: Program): void {
-    const previous = this.#geometry;
-    const hasSameGeometry = geometry?.source === previous?.source;
-    // First, because the device may have no room for it: then the old scene stays.
-    const uploaded = hasSameGeometry ? previous : this.#guarded(() => geometry?.upload(this.device));
-    this.#pending = undefined;
-    this.#scene = scene;
-    this.#camera = camera;
-    this.#compiled = compiled;
-    this.#stale = true;
-    if (program === this.#program && hasSameGeometry) return;
-    if (!hasSameGeometry) previous?.dispose();
-    this.#geometry = uploaded;
-    this.#program = program;
-    this.#trace.dispose();
-    this.#trace = this.#guarded(() => this.#createTrace());
-    this.#restart();
-  }
-
-  readonly #sight = (): Sight => {
-    const { scene, camera, width, height } = this;
-    return { scene, camera, width, height, compiled: this.#compiled, geometry: this.#geometry };
-  };
-
-  get #bakeable(): Bakeable {
-    return { geometry: this.#geometry, film: this.#accumulation.film, bake: () => this.#compiled.atRest(this.#camera) };
-  }
-
-  #createTrace(): TracePass {
-    const { pipelines } = this.#program;
-    return new TracePass(this.device, pipelines, this.#compiled.uniform, this.#geometry, this.#accumulation.film);
-  }
-
-  /** Whether a program with the scene's values as constants is to take the place of the one that runs. */
-  readonly #isQuicker: IsQuicker = async (program, compiled, isWanted) => {
-    if (this.#settings.constants !== "auto") return true;
-    const { compareTraces } = await import("./compareTraces");
-    if (!isWanted()) return false;
-    const general = this.#program;
-    const contenders = [
-      { program: general, compiled: this.#compiled },
-      { program, compiled },
-    ] as const;
-    const scale = Math.min(1, COMPARED_SIDE / Math.max(this.width, this.height));
-    const shared = this.#sharedUniforms(Math.ceil(scale * this.width), Math.ceil(scale * this.height));
-    const { pace } = this.#meter;
-    const ratio = await compareTraces(this.device, contenders, this.#geometry, shared, pace, isWanted);
-    if (ratio !== undefined && ratio > 1) this.#unbakeable = general;
-    return ratio !== undefined && ratio <= 1;
-  };
-
-  #restart(): void {
-    this.#stale = false;
-    this.#restartedAt = performance.now();
-    const shared = this.#sharedUniforms(this.width, this.height);
-    this.#startPace(shared);
-    this.#guarded(() => {
-      this.#trace.writeScene(this.#compiled.uniform);
-      if (this.#settings.constants) this.#baked.change(this.#bakeable);
-      else this.#baked.drop();
-    });
-    this.#meter.useProgram(this.program);
-    this.#accumulation.restart(shared, this.#settings);
-  }
-
-  /** Forgets what the pace was, unless what was measured still tells of what is shown now. */
-  #startPace({ maxBounces, lightSamples }: SharedUniforms): void {
-    const [compiled, program, geometry] = [this.#compiled, this.#program, this.#geometry];
-    const mayGrowLong = (maxBounces + 1) * (lightSamples + 1) > FEW_RAYS;
-    const paced = [program, geometry, maxBounces, lightSamples, mayGrowLong && compiled];
-    if (paced.every((part, i) => part === this.#paced[i])) return;
-    this.#paced = paced;
-    this.#meter.pace = new Pace(firstPathsFor(compiled, geometry?.source, maxBounces, lightSamples));
-  }
-
-  #work(portion: Portion): void {
-    const trace = this.#baked.trace ?? this.#trace;
-    this.#accumulation.work(trace, portion, () => this.#settings).catch(this.#fail);
-  }
-
-  /** What the dispatches of one accumulation have in common, on a film of this size. */
-  #sharedUniforms(width: number, height: number): SharedUniforms {
-    const { seed, lightSamples, maxBounces = this.#scene.maxBounces } = this.#settings;
-    const { origin, unit, shapes, lamps: emissive } = this.#compiled;
-    const basis = cameraBasis(this.#camera, origin, width / height, unit);
-    const view = rayStart(basis, shapes);
-    const lamps = lampPixels(emissive, basis, width, height);
-    return { ...view, ...lamps, size: [width, height], seed, maxBounces, lightSamples };
+  get #sight(): Sight {
+    return { ...this.#installation.shown, width: this.width, height: this.height };
   }
 }

@@ -6,7 +6,7 @@ import type { SceneGeometry } from "../gpu/sceneGeometry";
 import { add, normalize, scale } from "../math/vec3";
 import { partOf, type ScenePart } from "../scene/parts";
 import type { ResolvedCamera, ResolvedScene, Vec3 } from "../scene/schema";
-import { cameraBasis, rayStart } from "./camera";
+import { cameraBasis, rayStart } from "./cameraBasis";
 import { programKey } from "./program";
 
 /** What is seen at a point of the picture. */

@@ -1,3 +1,5 @@
+import type { ProgramSettings } from "../compile/features";
+
 /** How the scene is sampled. Every field can change while the tracer runs. */
 export type Settings = {
   /** How often a path may scatter between camera and light; 0 shows emitters only. Default: the scene's `maxBounces`. */
@@ -45,6 +47,34 @@ export const DEFAULT_SETTINGS: Settings = {
   targetError: 0,
   maxSamples: Number.POSITIVE_INFINITY,
 };
+
+/**
+ * What a change of a setting asks for: another program, and with it another picture; only another picture, whose accumulation
+ * then starts anew; or neither.
+ */
+export type SettingEffect = "recompile" | "restart" | "none";
+
+/** What each setting's change asks for. Those that the compiler reads ask for another program: the type sees to that. */
+export const SETTING_EFFECTS = {
+  maxBounces: "restart",
+  lightSamples: "recompile",
+  samplesPerFrame: "none",
+  estimator: "recompile",
+  sampler: "recompile",
+  constants: "restart", // the program with constants is another one, compiled once the scene rests
+  seed: "restart",
+  targetError: "none",
+  maxSamples: "none",
+} as const satisfies {
+  readonly [K in keyof Settings]: K extends keyof ProgramSettings ? "recompile" : Exclude<SettingEffect, "recompile">;
+};
+
+/** What the settings that differ ask for, all together. */
+export function effectOfChange(before: Settings, after: Settings): SettingEffect {
+  const names = Object.keys(SETTING_EFFECTS) as (keyof Settings)[];
+  const effects = new Set(names.filter((name) => before[name] !== after[name]).map((name) => SETTING_EFFECTS[name]));
+  return (["recompile", "restart"] as const).find((effect) => effects.has(effect)) ?? "none";
+}
 
 // What a film counts exactly: 2²⁴ samples in each of its halves, as far as an f32 counts one by one. Sample indices stay below
 // that, and so does what they are multiplied into: nothing wraps that matters.

@@ -1,5 +1,5 @@
 import { MAX_DISPATCHES } from "../gpu/tracePass";
-import type { Progress, Slice } from "./progress";
+import type { Schedule, Slice } from "./schedule";
 
 /** How much work one submit may have. */
 export type WorkLimits = {
@@ -14,18 +14,18 @@ export type WorkLimits = {
 };
 
 /** Takes the next slices of an accumulation for one submit, at least one. */
-export function takeSlices(progress: Progress, limits: WorkLimits): Slice[] {
+export function takeSlices(schedule: Schedule, limits: WorkLimits): Slice[] {
   const { paths, samples, dispatchSamples, isWatched } = limits;
-  const { pixels, samples: before } = progress;
+  const { pixels, samples: before } = schedule;
   const slices: Slice[] = [];
   let [left, wanted] = [paths, samples];
   do {
     const affordable = isWatched ? Math.max(1, Math.floor(left / pixels)) : Number.POSITIVE_INFINITY;
-    const slice = progress.next(left, Math.min(affordable, dispatchSamples), Math.min(affordable, wanted));
-    progress.finish(slice);
+    const slice = schedule.next(left, Math.min(affordable, dispatchSamples), Math.min(affordable, wanted));
+    schedule.finish(slice);
     slices.push(slice);
     left -= slice.paths;
-    wanted = samples - (progress.samples - before);
-  } while (progress.isComplete && wanted > 0 && left >= (isWatched ? pixels : 1) && slices.length < MAX_DISPATCHES);
+    wanted = samples - (schedule.samples - before);
+  } while (schedule.isComplete && wanted > 0 && left >= (isWatched ? pixels : 1) && slices.length < MAX_DISPATCHES);
   return slices;
 }

@@ -1,6 +1,6 @@
 // Which pixels a dispatch traces. The film is covered by blocks of 8 × 8 pixels, a workgroup each, and a block by 16 strips of
 // 4 pixels side by side. A dispatch takes some of the strips, in an order that spreads them over the whole picture: see
-// renderer/progress.ts, which chooses it.
+// renderer/schedule.ts, which chooses it.
 import package::frameUniforms::frame;
 
 const BLOCK_SIDE = 8u;

@@ -1,5 +1,5 @@
 import { afterAll, describe, expect, test } from "vitest";
-import { cameraBasis } from "../../../src/renderer/camera";
+import { cameraBasis } from "../../../src/renderer/cameraBasis";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Scene, SceneObject, Vec3 } from "../../../src/scene/schema";
 import { renderScene } from "../../support/device";

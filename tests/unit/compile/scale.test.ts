@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { type CompiledScene, compileScene } from "../../../src/compile/compileScene";
-import { cameraBasis, lampPixels, rayStart } from "../../../src/renderer/camera";
+import { cameraBasis, lampPixels, rayStart } from "../../../src/renderer/cameraBasis";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Light, ResolvedScene, Scene, SceneObject, Vec3 } from "../../../src/scene/schema";
 import { type Geometry, prepareGeometry } from "../../../src/tree/geometry";

@@ -2,7 +2,7 @@ import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { create } from "webgpu";
 import { SceneError } from "../../../src/errors";
 import { PathTracer } from "../../../src/renderer/pathTracer";
-import type { Settings } from "../../../src/renderer/settings";
+import { SETTING_EFFECTS, type Settings } from "../../../src/renderer/settings";
 import { box, sphere, sphereLight } from "../../../src/scene/builders";
 import type { Camera, Scene } from "../../../src/scene/schema";
 import { sceneOf } from "../../support/compiled";
@@ -108,6 +108,32 @@ describe("accumulation", () => {
     ["a picture that is read", (tracer) => tracer.readRadiance()],
   ])("does not restart for %s", async (_, change) => {
     expect(await restarts(change)).toBe(false);
+  });
+});
+
+describe("another value of a setting", () => {
+  const others: Settings = {
+    maxBounces: 2,
+    lightSamples: 3,
+    samplesPerFrame: 4,
+    estimator: "uniform",
+    sampler: "independent",
+    constants: false,
+    seed: 2,
+    targetError: 0.01,
+    maxSamples: 64,
+  };
+  const names = Object.keys(others) as (keyof Settings)[];
+
+  test.each(names)("%s restarts and recompiles as SETTING_EFFECTS says", async (name) => {
+    const tracer = await tracerOf(BALL);
+    await tracer.sample(4);
+    const { program } = tracer;
+    tracer.update({ [name]: others[name] });
+    await tracer.sample(1);
+    expect(tracer.stats.samples === 1).toBe(SETTING_EFFECTS[name] !== "none");
+    expect(tracer.program === program).toBe(SETTING_EFFECTS[name] !== "recompile");
+    tracer.dispose();
   });
 });
 

@@ -1,7 +1,13 @@
-import { expect, test } from "vitest";
+import { describe, expect, test } from "vitest";
 import { Meter } from "../../../src/renderer/meter";
-import { Progress } from "../../../src/renderer/progress";
-import { DEFAULT_SETTINGS, sampleLimit } from "../../../src/renderer/settings";
+import { Schedule } from "../../../src/renderer/schedule";
+import {
+  DEFAULT_SETTINGS,
+  effectOfChange,
+  SETTING_EFFECTS,
+  type Settings,
+  sampleLimit,
+} from "../../../src/renderer/settings";
 
 // The largest count that an f32 reaches in steps of one.
 const COUNTED = 2 ** 24;
@@ -13,13 +19,13 @@ test("a film that runs for a year stops where its halves can count no further", 
     limit,
     100,
   ]);
-  const progress = new Progress(1, 1);
-  while (progress.samples < limit) {
-    const slice = progress.next(1e9, 1_000_003, limit - progress.samples);
+  const schedule = new Schedule(1, 1);
+  while (schedule.samples < limit) {
+    const slice = schedule.next(1e9, 1_000_003, limit - schedule.samples);
     expect(slice.firstSample + slice.sampleCount).toBeLessThanOrEqual(COUNTED);
-    progress.finish(slice);
+    schedule.finish(slice);
   }
-  expect(progress.samples).toBe(limit);
+  expect(schedule.samples).toBe(limit);
 });
 
 test("at that limit sampling rests, whatever maxSamples is", () => {
@@ -31,4 +37,33 @@ test("at that limit sampling rests, whatever maxSamples is", () => {
     return meter.stats.converged;
   };
   expect([isConvergedAt(2 * COUNTED - 1), isConvergedAt(2 * COUNTED)]).toEqual([false, true]);
+});
+
+describe("what a change of settings asks for", () => {
+  test("is said of every setting", () => {
+    expect(Object.keys(SETTING_EFFECTS).sort()).toEqual(Object.keys(DEFAULT_SETTINGS).sort());
+  });
+
+  const OTHERS = {
+    maxBounces: 3,
+    lightSamples: 2,
+    samplesPerFrame: 4,
+    estimator: "uniform",
+    sampler: "independent",
+    constants: false,
+    seed: 7,
+    targetError: 0.1,
+    maxSamples: 64,
+  } as const satisfies Settings;
+
+  test.each(Object.keys(SETTING_EFFECTS) as (keyof Settings)[])("%s alone: what the table says", (name) => {
+    const changed = { ...DEFAULT_SETTINGS, [name]: OTHERS[name] };
+    expect(effectOfChange(DEFAULT_SETTINGS, changed)).toBe(SETTING_EFFECTS[name]);
+  });
+
+  test("is the most that one of several asks for, and nothing where all are the same", () => {
+    expect(effectOfChange(DEFAULT_SETTINGS, OTHERS)).toBe("recompile");
+    expect(effectOfChange(DEFAULT_SETTINGS, { ...DEFAULT_SETTINGS, seed: 7, targetError: 0.1 })).toBe("restart");
+    expect(effectOfChange(OTHERS, { ...OTHERS })).toBe("none");
+  });
 });

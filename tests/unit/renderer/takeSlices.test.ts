@@ -1,12 +1,12 @@
 import { describe, expect, test } from "vitest";
-import { Progress } from "../../../src/renderer/progress";
+import { Schedule } from "../../../src/renderer/schedule";
 import { takeSlices } from "../../../src/renderer/takeSlices";
 
 const [WIDTH, HEIGHT] = [640, 480];
 const PIXELS = WIDTH * HEIGHT;
 const ANY = Number.POSITIVE_INFINITY;
 
-const film = () => new Progress(WIDTH, HEIGHT);
+const film = () => new Schedule(WIDTH, HEIGHT);
 const countsOf = (slices: readonly { half: number; sampleCount: number }[]) =>
   slices.map(({ half, sampleCount }) => [half, sampleCount]);
 const pathsOf = (slices: readonly { paths: number }[]) => slices.reduce((sum, { paths }) => sum + paths, 0);
@@ -21,38 +21,38 @@ describe("while somebody watches", () => {
   });
 
   test("one sample is one, however much the budget allows", () => {
-    const progress = film();
+    const schedule = film();
     for (const half of [0, 1, 0]) {
-      const slices = takeSlices(progress, { paths: 1e9, samples: 1, dispatchSamples: 32, isWatched: true });
+      const slices = takeSlices(schedule, { paths: 1e9, samples: 1, dispatchSamples: 32, isWatched: true });
       expect(countsOf(slices)).toEqual([[half, 1]]);
     }
   });
 
   test("a quick GPU fills a frame with many dispatches of a small picture", () => {
-    const progress = new Progress(64, 64);
-    takeSlices(progress, { paths: 1e7, samples: ANY, dispatchSamples: 32, isWatched: true });
-    expect(progress.samples).toBe(2048);
+    const schedule = new Schedule(64, 64);
+    takeSlices(schedule, { paths: 1e7, samples: ANY, dispatchSamples: 32, isWatched: true });
+    expect(schedule.samples).toBe(2048);
   });
 
   test("a pass that does not fit has one sample, and the submit ends with it", () => {
-    const progress = film();
+    const schedule = film();
     const limits = { paths: 0.4 * PIXELS, samples: ANY, dispatchSamples: 32, isWatched: true };
-    const frames = [1, 2, 3].map(() => takeSlices(progress, limits));
+    const frames = [1, 2, 3].map(() => takeSlices(schedule, limits));
     for (const slices of frames) expect(countsOf(slices)).toEqual([[0, 1]]);
-    expect(progress.samples).toBe(1);
+    expect(schedule.samples).toBe(1);
     expect(pathsOf(frames[0]!)).toBeLessThanOrEqual(limits.paths);
   });
 });
 
 describe("while nobody watches", () => {
   test("64 samples of a small picture are one submit", () => {
-    const progress = new Progress(256, 256);
-    const slices = takeSlices(progress, { paths: 1e9, samples: 64, dispatchSamples: 32, isWatched: false });
+    const schedule = new Schedule(256, 256);
+    const slices = takeSlices(schedule, { paths: 1e9, samples: 64, dispatchSamples: 32, isWatched: false });
     expect(countsOf(slices)).toEqual([
       [0, 32],
       [1, 32],
     ]);
-    expect(progress.samples).toBe(64);
+    expect(schedule.samples).toBe(64);
   });
 
   test("a slow adapter takes many samples of some of the pixels", () => {

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Rate } from "../../../src/renderer/rates";
+import { Rate } from "../../../src/renderer/rate";
 
 test("nothing is known at first", () => {
   expect(new Rate().perSecond).toBe(0);

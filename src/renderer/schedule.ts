@@ -29,7 +29,7 @@ type Pass = Pick<Slice, "half" | "sampleCount" | "unitStrips" | "unitStride"> & 
  * of the film, the halves in turn so that they stay equally full. A pass is cut into slices, each of which is spread over
  * the whole image: so slices of one size take about the same time, whatever is seen where.
  */
-export class Progress {
+export class Schedule {
   /** Of the film. */
   readonly pixels: number;
   readonly #strips: number;

@@ -1,17 +1,17 @@
 import { describe, expect, test } from "vitest";
-import { Progress, type Slice } from "../../../src/renderer/progress";
+import { Schedule, type Slice } from "../../../src/renderer/schedule";
 
 /** A film of four blocks, 64 strips. */
-const film = () => new Progress(16, 16);
+const film = () => new Schedule(16, 16);
 const PIXELS = 256;
 const ALL = 1e9;
 
 /** Takes slices until `target` samples per pixel are complete; `paths` and `maxCount` may change from slice to slice. */
-function sampleTo(progress: Progress, target: number, paths: () => number, maxCount: () => number): Slice[] {
+function sampleTo(schedule: Schedule, target: number, paths: () => number, maxCount: () => number): Slice[] {
   const slices: Slice[] = [];
-  while (progress.samples < target) {
-    const slice = progress.next(paths(), maxCount(), target - progress.samples);
-    progress.finish(slice);
+  while (schedule.samples < target) {
+    const slice = schedule.next(paths(), maxCount(), target - schedule.samples);
+    schedule.finish(slice);
     slices.push(slice);
   }
   return slices;
@@ -56,25 +56,25 @@ describe("a pass", () => {
   });
 
   test("keeps its half, count and order when the limits change under way", () => {
-    const progress = film();
-    const first = progress.next(512, 4, 100);
-    progress.finish(first);
-    const second = progress.next(ALL, 1, 100);
+    const schedule = film();
+    const first = schedule.next(512, 4, 100);
+    schedule.finish(first);
+    const second = schedule.next(ALL, 1, 100);
     expect(first).toMatchObject({ half: 0, firstSample: 0, sampleCount: 4, firstStrip: 0, endStrip: 32 });
     expect(second).toEqual({ ...first, firstStrip: 32, endStrip: 64 });
   });
 
   test("counts only when it is complete", () => {
-    const progress = film();
-    progress.finish(progress.next(512, 4, 100));
-    expect([progress.samples, progress.isComplete]).toEqual([0, false]);
-    progress.finish(progress.next(512, 4, 100));
-    expect([progress.samples, progress.isComplete]).toEqual([4, true]);
+    const schedule = film();
+    schedule.finish(schedule.next(512, 4, 100));
+    expect([schedule.samples, schedule.isComplete]).toEqual([0, false]);
+    schedule.finish(schedule.next(512, 4, 100));
+    expect([schedule.samples, schedule.isComplete]).toEqual([4, true]);
   });
 
   test("asked for again without being finished is the same slice", () => {
-    const progress = film();
-    expect(progress.next(512, 4, 100)).toEqual(progress.next(512, 4, 100));
+    const schedule = film();
+    expect(schedule.next(512, 4, 100)).toEqual(schedule.next(512, 4, 100));
   });
 
   test("takes a strip of four pixels at least, however little is allowed", () => {
@@ -82,9 +82,9 @@ describe("a pass", () => {
   });
 
   test("is cut at blocks, so that no lane idles, where a slice has many", () => {
-    const progress = new Progress(640, 480);
+    const schedule = new Schedule(640, 480);
     const slices = sampleTo(
-      progress,
+      schedule,
       1,
       () => 10_001,
       () => 1,
@@ -99,8 +99,8 @@ describe("a pass", () => {
     [1920, 1080, 24_000],
     [8192, 8192, 100_000],
   ])("of %i × %i pixels in slices of %i paths spreads each over the whole picture", (width, height, paths) => {
-    const progress = new Progress(width, height);
-    const slice = progress.next(paths, 1, 1);
+    const schedule = new Schedule(width, height);
+    const slice = schedule.next(paths, 1, 1);
     const rows = pixelsOf(slice, width, height).map((pixel) => Math.floor(pixel / width));
     // Every eighth of the picture's height gets its share, but for half of it.
     for (let band = 0; band < 8; band++) {
@@ -128,26 +128,26 @@ describe("halves", () => {
   });
 
   test.each([1, 2, 3, 7, 16, 33])("hold equally many of %i samples, or one more in the first", (target) => {
-    const progress = film();
+    const schedule = film();
     const slices = sampleTo(
-      progress,
+      schedule,
       target,
       () => ALL,
       () => 16,
     );
     const held = (half: 0 | 1) => slices.filter((s) => s.half === half).reduce((sum, s) => sum + s.sampleCount, 0);
     expect([held(0), held(1)]).toEqual([Math.ceil(target / 2), Math.floor(target / 2)]);
-    expect(progress.samples).toBe(target);
+    expect(schedule.samples).toBe(target);
   });
 });
 
 test.each([1, 2, 3])("every pixel gets every sample exactly once, whatever the limits, seed %i", (seed) => {
   const random = randomOf(seed);
   const [width, height] = [1 + Math.floor(50 * random()), 1 + Math.floor(50 * random())];
-  const progress = new Progress(width, height);
+  const schedule = new Schedule(width, height);
   const limits = [() => 3 * width * height * random() ** 3, () => 1 + Math.floor(9 * random())] as const;
   // In steps, as calls of sample(n) would.
-  const slices = [3, 4, 20, 21, 50].flatMap((target) => sampleTo(progress, target, ...limits));
+  const slices = [3, 4, 20, 21, 50].flatMap((target) => sampleTo(schedule, target, ...limits));
 
   const seen = new Uint8Array(2 * width * height * 50);
   let paths = 0;
@@ -162,17 +162,17 @@ test.each([1, 2, 3])("every pixel gets every sample exactly once, whatever the l
   expect(Math.max(...seen)).toBe(1);
   expect(seen.reduce((sum, times) => sum + times)).toBe(50 * width * height);
   expect(paths).toBeCloseTo(50 * width * height, 6);
-  expect(progress.samples).toBe(50);
+  expect(schedule.samples).toBe(50);
 });
 
 test.each([[64], [1, 63], [5, 5, 5, 49]])("64 samples taken as %j and more leave both halves with 32", (...steps) => {
-  const progress = film();
+  const schedule = film();
   let target = 0;
   let first = 0;
   for (const step of steps) {
     target += step;
     for (const { half, sampleCount } of sampleTo(
-      progress,
+      schedule,
       target,
       () => ALL,
       () => 16,
@@ -180,7 +180,7 @@ test.each([[64], [1, 63], [5, 5, 5, 49]])("64 samples taken as %j and more leave
       first += half === 0 ? sampleCount : 0;
     }
   }
-  expect([progress.samples, first]).toEqual([64, 32]);
+  expect([schedule.samples, first]).toEqual([64, 32]);
 });
 
 test("there is no limit to an endless picture", () => {
@@ -188,8 +188,8 @@ test("there is no limit to an endless picture", () => {
 });
 
 test("a slice that no pass is under way for is a mistake", () => {
-  const progress = film();
-  const slice = progress.next(ALL, 1, 1);
-  progress.finish(slice);
-  expect(() => progress.finish(slice)).toThrow(RangeError);
+  const schedule = film();
+  const slice = schedule.next(ALL, 1, 1);
+  schedule.finish(slice);
+  expect(() => schedule.finish(slice)).toThrow(RangeError);
 });

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { mat4d, type Vec3d, vec3d } from "wgpu-matrix";
-import { cameraBasis, rayStart } from "../../../src/renderer/camera";
+import { cameraBasis, rayStart } from "../../../src/renderer/cameraBasis";
 import { parseCamera } from "../../../src/scene/parseScene";
 import type { Camera } from "../../../src/scene/schema";
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { firstPathsFor } from "../../../src/renderer/workload";
+import { firstPathsFor } from "../../../src/renderer/firstPathsFor";
 
 const scene = (shapeCount: number, lightCount: number) => ({ shapes: Array(shapeCount), lightCount });
 /** A tree of meshes and of so many other shapes. */

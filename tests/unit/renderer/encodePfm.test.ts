@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { encodePfm } from "../../../src/renderer/pfm";
+import { encodePfm } from "../../../src/renderer/encodePfm";
 
 test("a PFM is a header and little-endian RGB, bottom row first", () => {
   const alpha = 1;
