@@ -1,14 +1,16 @@
 import type { Completion, CompletionContext, CompletionResult } from "@codemirror/autocomplete";
-import { syntaxTree } from "@codemirror/language";
+
 import type { SyntaxNode, Tree } from "@lezer/common";
 import { child, keyOf, rootValue, valueIn } from "./jsonPosition";
 import { fieldsOf, type JsonSchema, schemaOf, schemaOfKey } from "./schemaWalk";
+import { wholeTree } from "./wholeTree";
 
 /** Suggests keys and values, as the schema has them and the names the scene itself defines. */
 export function completeScene(schema: JsonSchema): (context: CompletionContext) => CompletionResult | null {
   return (context) => {
     const text = context.state.doc.toString();
-    const tree = syntaxTree(context.state);
+
+    const tree = wholeTree(context.state);
     const node = tree.resolveInner(context.pos, -1);
     if (node.name === "PropertyName") return suggestKeys(node, node.parent?.parent, schema, text);
     const property = node.name === "Property" ? node : node.parent;

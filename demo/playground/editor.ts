@@ -1,6 +1,6 @@
 import { autocompletion } from "@codemirror/autocomplete";
 import { json } from "@codemirror/lang-json";
-import { ensureSyntaxTree, syntaxHighlighting, syntaxTree } from "@codemirror/language";
+import { syntaxHighlighting, syntaxTree } from "@codemirror/language";
 import { type Diagnostic, linter, lintGutter } from "@codemirror/lint";
 import { EditorState } from "@codemirror/state";
 import { EditorView, hoverTooltip } from "@codemirror/view";
@@ -9,9 +9,9 @@ import { basicSetup } from "codemirror";
 import { type Checked, check } from "./check";
 import { completeScene } from "./complete";
 import { type JsonSchema, schemaOf } from "./schemaWalk";
+import { wholeTree } from "./wholeTree";
 
 const CHECK_DELAY_MS = 200;
-const PARSE_BUDGET_MS = 500;
 
 export type EditorOptions = {
   readonly parent: HTMLElement;
@@ -28,7 +28,7 @@ export function createEditor({ parent, schema, onCheck }: EditorOptions): Editor
   const look = linter(
     (view) => {
       const { doc } = view.state;
-      const tree = ensureSyntaxTree(view.state, doc.length, PARSE_BUDGET_MS) ?? syntaxTree(view.state);
+      const tree = wholeTree(view.state);
       const checked = check(doc.toString(), tree);
       onCheck(checked);
       return checked.problems.map(toDiagnostic);

@@ -1,4 +1,3 @@
-import { syntaxTree } from "@codemirror/language";
 import schema from "rt-viewer/scene.schema.json";
 import "rt-viewer/element";
 import { copyText, sayCopied } from "../copying";
@@ -9,6 +8,7 @@ import { EXAMPLES, loadExample } from "./examples";
 import { formatScene } from "./formatScene";
 import { fromHash, LinkError, type Shared, toHash } from "./link";
 import { showProblems } from "./problemList";
+import { wholeTree } from "./wholeTree";
 import { withCamera } from "./withCamera";
 
 const viewer = document.querySelector("rt-viewer")!;
@@ -69,7 +69,7 @@ function goTo({ from, to }: Problem): void {
 }
 
 function takeView(): void {
-  const change = viewer.camera && withCamera(viewer.camera, editor.state.doc.toString(), syntaxTree(editor.state));
+  const change = viewer.camera && withCamera(viewer.camera, editor.state.doc.toString(), wholeTree(editor.state));
   if (change) editor.dispatch({ changes: change, scrollIntoView: true });
 }
 

@@ -1,14 +1,9 @@
 // Writes the part of the shader module `scene` that chooses the light to sample, and a point on it.
 
 import type { Light } from "../lights/light";
-import { LIGHT_CALLS, samplerOf, tagOf } from "../lights/lights";
+import { samplerOf, tagOf } from "../lights/lights";
 import type { Features } from "./features";
 import type { Values } from "./values";
-
-/** Shader modules of lights, and what the text below calls of them. */
-export const LIGHT_IMPORTS = LIGHT_CALLS.map(
-  ([module, functions]) => `import package::lights::${module}::{${functions.join(", ")}};\n`,
-).join("");
 
 /** `sampleKind`: a point on a light, by its kind. */
 export function emitLightSamplers(lights: readonly Light[], { UNIFORM }: Features): string {

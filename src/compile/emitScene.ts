@@ -4,9 +4,9 @@
 import type { Light } from "../lights/light";
 import type { Geometry } from "../tree/geometry";
 import type { StructFields, StructLayout } from "./defineStruct";
-import { emitLightChoice, emitLightSamplers, hasManyLights, LIGHT_IMPORTS } from "./emitLights";
+import { emitLightChoice, emitLightSamplers, hasManyLights } from "./emitLights";
 import { emitRowStruct, emitTableMembers } from "./emitLoops";
-import { emitShapes, SHAPE_IMPORTS } from "./emitShapes";
+import { emitShapes } from "./emitShapes";
 import type { Features } from "./features";
 import { LIGHT, MATERIAL } from "./layouts";
 import type { Tables } from "./packScene";
@@ -50,7 +50,7 @@ import package::surface::{Material, Surface};
 import package::textures::{Factors, Texture};
 import package::shapes::triangle::{Shear, shearOf};
 import package::tree::{Item, itemAt, treeClosest, treeOccludes};
-${SHAPE_IMPORTS}${LIGHT_IMPORTS}
+
 // Ids from here on are those of items of the tree, by their slot.
 const PRIMITIVES = ${primitives.length}u;
 const STACK_SIZE = ${stackSizeFor(geometry)}u;

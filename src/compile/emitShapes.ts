@@ -2,17 +2,12 @@
 
 import type { Light } from "../lights/light";
 import type { EmittedShape } from "../shapes/shape";
-import { ITEMS, itemTag, kindOf, kindOfObject, SHAPE_CALLS, type Shape } from "../shapes/shapes";
+import { ITEMS, itemTag, kindOf, kindOfObject, type Shape } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
 import { emitBlockingLoops, emitClosestLoops } from "./emitLoops";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
 import type { Values } from "./values";
-
-/** Shader modules of shapes, and what the text below calls of them. */
-export const SHAPE_IMPORTS = SHAPE_CALLS.filter(([, functions]) => functions.length > 0)
-  .map(([module, functions]) => `import package::shapes::${module}::{${functions.join(", ")}};\n`)
-  .join("");
 
 /**
  * `closestHit`, `occluded`, and what the shader has to ask of single kinds of shapes: `shapeNormal` and, for the tree,

@@ -1,5 +1,6 @@
 import type { Light } from "../lights/light";
-import { type ResolvedMaterial, TEXTURE_FIELDS, type TextureField } from "../scene/schema";
+import { describeLobes, lobeFeatures } from "../lobes/lobes";
+import { TEXTURE_FIELDS, type TextureField } from "../scene/schema";
 import { hullOf, kindOf, type Shape } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
 import { isEmissive, type Primitive } from "./primitives";
@@ -23,15 +24,10 @@ export function deriveFeatures(
   settings: ProgramSettings,
 ) {
   const materials = [...new Set(primitives.map(({ material }) => material))].filter((material) => material !== "black");
-  const specular = materials.filter(hasSpecularLobe);
-  const rough = specular.filter((material) => alphaOf(material) > 0);
   const hasTexture = (field: TextureField) => materials.some((material) => material[field] !== undefined);
   const families = new Set(primitives.map(({ shape }) => familyOf(shape)));
   const NORMAL_TEXTURES = hasTexture("normalTexture");
   const isSmooth = geometry?.data.normals !== undefined;
-
-  const DIFFUSE = materials.length === 0 || materials.some(hasDiffuseLobe);
-  const SPECULAR = specular.length > 0;
   return {
     BALLS: families.has("ball"),
     HUGE_BALLS: hasHugeBalls(primitives),
@@ -50,15 +46,7 @@ export function deriveFeatures(
     SURFACE_TEXTURES: hasTexture("baseColorTexture") || hasTexture("metallicRoughnessTexture"),
     EMISSION_TEXTURES: hasTexture("emissionTexture"),
     NORMAL_TEXTURES,
-    DIFFUSE,
-    SPECULAR,
-    ROUGH: rough.length > 0,
-    MIRROR: specular.some((material) => alphaOf(material) === 0),
-    SMITH: rough.some((material) => material.masking === "smith"),
-    SCHLICK_BECKMANN: rough.some((material) => material.masking === "schlick-beckmann"),
-    MULTISCATTER: rough.some((material) => material.multiscatter && material.metallic > 0),
-    // Some surface has both.
-    LOBES: specular.some(hasDiffuseLobe),
+    ...lobeFeatures(materials),
     EMISSION: primitives.some(isEmissive),
     EMISSIVE_BALLS: primitives.some((primitive) => isEmissive(primitive) && familyOf(primitive.shape) === "ball"),
     LAMPS: primitives.some(isEmissive) && settings.estimator === "path",
@@ -75,12 +63,12 @@ export function deriveFeatures(
   };
 }
 
-type Family = "flat" | "ball" | "solid" | "mesh";
+type Family = "flat" | "ball" | "solid" | "triangles";
 
 /** By the row that the shader tells it from: see `ShapeKind`. */
 function familyOf(shape: Shape): Family {
   const { triangleDistance, row } = kindOf(shape);
-  if (triangleDistance) return "mesh";
+  if (triangleDistance) return "triangles";
   const w = row(shape)[3];
   if (w === 0) return "flat";
   return w > 0 ? "ball" : "solid";
@@ -96,25 +84,6 @@ export function hasRims(primitives: readonly Primitive[]): boolean {
   return primitives.filter(({ shape }) => familyOf(shape) === "flat" && hullOf(shape) !== undefined).length > 1;
 }
 
-/** A texture may make a metal less of one. */
-function hasDiffuseLobe({ metallic, metallicRoughnessTexture }: ResolvedMaterial): boolean {
-  return metallic < 1 || metallicRoughnessTexture !== undefined;
-}
-
-/** A dielectric of ior 1 has no interface: it is Lambert only. */
-export function hasSpecularLobe(material: ResolvedMaterial): boolean {
-  return material.metallic > 0 || material.ior > 1;
-}
-
-// Microfacets tilted by less than f32 rounds a direction; with a smaller α the square of their density overflows.
-const LEAST_ALPHA = 2 ** -24;
-
-/** Width of the microfacets' distribution; 0 is a perfect mirror. */
-export function alphaOf({ roughness }: ResolvedMaterial): number {
-  const alpha = roughness ** 2;
-  return alpha < LEAST_ALPHA ? 0 : alpha;
-}
-
 /** The features in words, for people: what the compiled shader contains. */
 export function describeFeatures(
   primitives: readonly Primitive[],
@@ -128,12 +97,7 @@ export function describeFeatures(
   const counted = (count: number, what: string) => (count === 1 ? what : `${count} × ${what}`);
   return [
     ...[...shapes].map(([kind, count]) => counted(count, kind)),
-    ...(features.DIFFUSE ? ["diffuse"] : []),
-    ...(features.ROUGH ? ["GGX"] : []),
-    ...(features.MIRROR ? ["mirror"] : []),
-    ...(features.SMITH ? ["Smith masking"] : []),
-    ...(features.SCHLICK_BECKMANN ? ["Schlick–Beckmann masking"] : []),
-    ...(features.MULTISCATTER ? ["multiple scattering"] : []),
+    ...describeLobes(features),
     ...(features.SMOOTH ? ["smooth normals"] : []),
     ...(features.TEXTURES ? ["textures"] : []),
     ...[...lightCounts].map(([kind, count]) => counted(count, `${kind} light`)),

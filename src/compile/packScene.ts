@@ -1,15 +1,14 @@
 import type { Ball, Light } from "../lights/light";
 import { samplerOf, tagOf } from "../lights/lights";
-import { add, scale } from "../math/vec3";
-import { dielectricF0 } from "../scene/metals";
-import type { ResolvedMaterial, Rgb } from "../scene/schema";
+import { reflectance } from "../lobes/lobes";
+import type { Rgb } from "../scene/schema";
 import type { Vec4 } from "../shapes/shape";
 import { kindOf } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
 import type { StructFields, StructLayout, StructValue } from "./defineStruct";
 import { hasManyLights } from "./emitLights";
 import { unboundedRows } from "./emitLoops";
-import { alphaOf, hasHugeBalls, hasRims, hasSpecularLobe } from "./features";
+import { hasHugeBalls, hasRims } from "./features";
 import { FACTORS, LIGHT, MATERIAL, TEXTURE, UNBOUNDED } from "./layouts";
 import { factorRows, hasTextures, type Textures, textureRows } from "./packTextures";
 import type { Primitive } from "./primitives";
@@ -113,33 +112,6 @@ function lightDensities(lights: readonly Light[]): ReadonlyMap<number, number> {
     }),
   );
 }
-
-function reflectance(material: ResolvedMaterial | "black") {
-  if (material === "black") return BLACK;
-  const { baseColor, metallic, ior, masking, multiscatter } = material;
-  const schlickBeckmann = masking === "schlick-beckmann" ? 1 : 0;
-  if (!hasSpecularLobe(material)) return { ...BLACK, diffuse: baseColor };
-  const f0 = dielectricF0(ior);
-  return {
-    F0: add(scale([f0, f0, f0], 1 - metallic), scale(baseColor, metallic)),
-    alpha: alphaOf(material),
-    diffuse: scale(baseColor, 1 - metallic),
-    f0,
-    f90: 1,
-    schlickBeckmann,
-    multiscatter: multiscatter ? metallic : 0,
-  };
-}
-
-const BLACK = {
-  F0: [0, 0, 0],
-  alpha: 1,
-  diffuse: [0, 0, 0] as Rgb,
-  f0: 0,
-  f90: 0,
-  schlickBeckmann: 0,
-  multiscatter: 0,
-};
 
 /** One per primitive, or none where the shader reads none: see features. */
 function anchorRows(primitives: readonly Primitive[]): readonly Vec4[] {

@@ -1,9 +1,12 @@
 import type { LightKind } from "./light";
 
-const calls = { area: ["samplePlanar", "squareToTriangle"] };
-
-export const quad: LightKind = { sampler: { calls, sample: "samplePlanar(p, light, u)", measure: "area" } };
+export const quad: LightKind = {
+  sampler: { sample: "package::lights::area::samplePlanar(p, light, u)", measure: "area" },
+};
 
 export const triangle: LightKind = {
-  sampler: { calls, sample: "samplePlanar(p, light, squareToTriangle(u))", measure: "area" },
+  sampler: {
+    sample: "package::lights::area::samplePlanar(p, light, package::lights::area::squareToTriangle(u))",
+    measure: "area",
+  },
 };

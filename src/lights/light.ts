@@ -68,10 +68,8 @@ export function sum(rgb: Rgb): number {
 
 /** How a point on a light is drawn. */
 export type LightSampler = {
-  /** Functions that `sample` and `baseline` call, by the shader module of this folder that has them. */
-  readonly calls: Readonly<Record<string, readonly string[]>>;
   /**
-   * A WGSL expression for a `LightSample` of radiance 1, of the point `p` that is lit, the `light`, a random point `u` of the
+   * A WGSL expression, of functions by their full names, for a `LightSample` of radiance 1, of the point `p` that is lit, the `light`, a random point `u` of the
    * unit square and, for a light of many parts, another one, `pick`.
    */
   readonly sample: string;

@@ -10,7 +10,7 @@ import { sphere } from "./sphere";
 type InScenes = { readonly [K in ResolvedLight["type"]]: SceneLight<ResolvedLight & { type: K }> };
 
 /** In the order in which the shader numbers them. */
-const LIGHT_KINDS = { sphere, quad, triangle, point, mesh } as const satisfies InScenes &
+export const LIGHT_KINDS = { sphere, quad, triangle, point, mesh } as const satisfies InScenes &
   Readonly<Record<string, LightKind>>;
 
 /** Everything there is to know of a light's kind. TypeScript does not correlate a union with its table. */
@@ -27,11 +27,6 @@ export function bodyOf(light: ResolvedLight): { readonly body: ResolvedObject; r
 export function lightsOf(light: ResolvedLight, origin: Vec3): Light[] {
   return kindOfLight(light).lights?.(light, origin) ?? [];
 }
-
-/** What the expressions of all kinds call: shader modules of this folder, and their functions. */
-export const LIGHT_CALLS: readonly (readonly [module: string, functions: readonly string[]])[] = [
-  ...new Map(Object.values(LIGHT_KINDS).flatMap(({ sampler }) => Object.entries(sampler.calls))),
-];
 
 const NAMES: readonly string[] = Object.keys(LIGHT_KINDS);
 

@@ -1,5 +1,5 @@
 import type { LightKind } from "./light";
 
 export const mesh: LightKind = {
-  sampler: { calls: { mesh: ["sampleMesh"] }, sample: "sampleMesh(p, light, u, pick)", measure: "area" },
+  sampler: { sample: "package::lights::mesh::sampleMesh(p, light, u, pick)", measure: "area" },
 };

@@ -21,5 +21,5 @@ export const point: SceneLight<ResolvedLight & { type: "point" }> = {
       },
     ];
   },
-  sampler: { calls: { point: ["samplePosition"] }, sample: "samplePosition(p, light.position)", measure: "none" },
+  sampler: { sample: "package::lights::point::samplePosition(p, light.position)", measure: "none" },
 };

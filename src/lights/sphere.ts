@@ -12,9 +12,8 @@ export const sphere: SceneLight<ResolvedLight & { type: "sphere" }> = {
     radiance: scale(power, 1 / (4 * Math.PI ** 2 * radius ** 2)),
   }),
   sampler: {
-    calls: { sphere: ["sampleSphere", "sampleSphereSurface"] },
-    sample: "sampleSphere(p, light.position, light.size, u)",
-    baseline: "sampleSphereSurface(p, light.position, light.size, u)",
+    sample: "package::lights::sphere::sampleSphere(p, light.position, light.size, u)",
+    baseline: "package::lights::sphere::sampleSphereSurface(p, light.position, light.size, u)",
     measure: "cone",
   },
 };

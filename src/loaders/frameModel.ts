@@ -1,6 +1,7 @@
 // What a bare model is shown with: a camera that has all of it in view, and the light of a photographer's table.
 
 import { add, cross, dot, normalize, scale, subtract } from "../math/vec3";
+import { plane, sphereLight } from "../scene/builders";
 import type { Camera, Environment, Light, Material, SceneObject, Vec3 } from "../scene/schema";
 import type { Bounds } from "./bounds";
 
@@ -56,21 +57,16 @@ export function setTable(bounds: Bounds, groundName: string): Table {
   const { center, min, radius } = bounds;
   const distance = 4 * radius;
   // The gap keeps the underside of the model out of the ground; it is too small to be seen.
-  const ground: SceneObject = {
-    type: "plane",
-    point: [center[0], min[1] - 1e-4 * radius, center[2]],
-    normal: [0, 1, 0],
-    material: groundName,
-  };
+  const point = [center[0], min[1] - 1e-4 * radius, center[2]] as const;
+  const ground = plane({ point, normal: [0, 1, 0], material: groundName });
   return {
     ground,
     groundMaterial: { baseColor: [0.55, 0.55, 0.55], roughness: 1, ior: 1 },
-    light: {
-      type: "sphere",
+    light: sphereLight({
       position: add(center, scale(normalize(LIGHT_FROM), distance)),
       radius,
       power: scale(LIGHT_COLOR, Math.min(MAX_POWER, IRRADIANCE * 4 * Math.PI * distance ** 2)),
-    },
+    }),
     environment: { radiance: [0.45, 0.48, 0.52] },
   };
 }

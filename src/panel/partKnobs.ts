@@ -78,18 +78,18 @@ export function addLightKnobs(folder: FolderApi, light: ResolvedLight, onChange:
   folder
     .addBinding(shown, "power", { label: "power (W)", min: 0, ...scalesFor(shown.power) })
     .on("change", ({ value }) => change({ ...now, power: withStrength(now.power, value, shown.color) }));
-  if (light.type === "sphere") {
+  if ("radius" in light) {
     shown.radius = light.radius;
     folder
       .addBinding(shown, "radius", { min: LEAST_RADIUS * light.radius, ...scalesFor(light.radius) })
-      .on("change", ({ value }) => now.type === "sphere" && change({ ...now, radius: value }));
+      .on("change", ({ value }) => "radius" in now && change({ ...now, radius: value }));
   }
   folder
     .addBinding(shown, "position", scalesFor(1))
     .on("change", ({ value }) => change({ ...now, position: [value.x, value.y, value.z] }));
 }
 
-// Of a sphere light as it was: it needs a radius.
+// Of a light's radius as it was: it needs one.
 const LEAST_RADIUS = 1e-3;
 
 function scalesFor(value: number) {

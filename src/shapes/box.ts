@@ -59,21 +59,20 @@ export const box: ShapeKind<ResolvedObject & { type: "box" }, Box> = {
     const bound = { center: shape.center, radius: length(shape.halfSize) };
     return facesOf(shape).map((face) => flatLight("quad", face, radiance, primitive, bound));
   },
-  calls: ["boxIntersect", "boxNormal", "turnedBoxIntersect"],
   emit: ({ center, halfSize, turn }, id, values) => {
     const body = `${values.vec3(center)}, ${values.vec3(halfSize)}`;
     const [cosine, sine] = [Math.cos(turn ?? 0), Math.sin(turn ?? 0)];
     const rotation = `vec2f(${values.scalar(cosine)}, ${values.scalar(sine)})`;
-    const normal = `boxNormal(ray, p, ${body}, ${rotation}, ${id}u)`;
-    if (turn === undefined) return { distance: `boxIntersect(ray, ${body}, ${id}u)`, normal };
-    return { distance: `turnedBoxIntersect(ray, ${body}, ${rotation}, ${id}u)`, normal };
+    const normal = `package::shapes::box::boxNormal(ray, p, ${body}, ${rotation}, ${id}u)`;
+    if (turn === undefined) return { distance: `package::shapes::box::boxIntersect(ray, ${body}, ${id}u)`, normal };
+    return { distance: `package::shapes::box::turnedBoxIntersect(ray, ${body}, ${rotation}, ${id}u)`, normal };
   },
   item: {
     row: ({ center, halfSize, turn = 0 }) => ({
       vectors: [center, halfSize, [Math.cos(turn), Math.sin(turn), 0]],
       w: 0,
     }),
-    distance: "turnedBoxIntersect(ray, item.a, item.b, item.c.xy, id)",
-    normal: "boxNormal(ray, p, item.a, item.b, item.c.xy, id)",
+    distance: "package::shapes::box::turnedBoxIntersect(ray, item.a, item.b, item.c.xy, id)",
+    normal: "package::shapes::box::boxNormal(ray, p, item.a, item.b, item.c.xy, id)",
   },
 };

@@ -38,5 +38,4 @@ export const mesh: ShapeKind<ResolvedObject & { type: "mesh" }, Mesh> = {
     const position: Vec3 = [light.first, light.count, 0];
     return [{ ...ALL_ROUND, kind: "mesh", position, size: light.area, radiance, primitive, strength, bound }];
   },
-  calls: [],
 };

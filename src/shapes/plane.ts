@@ -25,14 +25,16 @@ export const plane: ShapeKind<ResolvedObject & { type: "plane" }, Plane> = {
   row: ({ normal }) => [...normal, 0],
   anchor: ({ point }) => [...point, 1],
   lights: () => [],
-  calls: ["planeIntersect", "planeIntersectX", "planeIntersectY", "planeIntersectZ"],
   emit: ({ point, normal, axis }, _, values) => {
-    if (axis) return { distance: `planeIntersect${axis}(ray, ${values.scalar(point["XYZ".indexOf(axis)]!)})` };
-    return { distance: `planeIntersect(ray, ${values.vec3(point)}, ${values.vec3(normal)})` };
+    if (axis)
+      return {
+        distance: `package::shapes::plane::planeIntersect${axis}(ray, ${values.scalar(point["XYZ".indexOf(axis)]!)})`,
+      };
+    return { distance: `package::shapes::plane::planeIntersect(ray, ${values.vec3(point)}, ${values.vec3(normal)})` };
   },
   loop: {
     table: "planes",
     row: ({ point, normal }) => ({ point, direction: normal }),
-    distance: "planeIntersect(ray, row.point, row.direction)",
+    distance: "package::shapes::plane::planeIntersect(ray, row.point, row.direction)",
   },
 };

@@ -59,24 +59,23 @@ export const quad: ShapeKind<ResolvedObject & { type: "quad" }, Quad> = {
     const bound = ballAround(cornersOf(shape));
     return [flatLight("quad", [corner, edge1, edge2], radiance, primitive, bound, normal)];
   },
-  calls: ["quadIntersect", "quadIntersectX", "quadIntersectY", "quadIntersectZ"],
   emit: (shape, _, values) => {
     const { edge1, edge2, normal, axis } = shape;
     const { middle, duals } = dualsOf(shape);
     const center = values.vec3(middle);
     if (axis) {
       const halfSize = withRim(scale(add(edge1, edge2), 0.5), middle);
-      return { distance: `quadIntersect${axis}(ray, ${center}, ${values.vec3(halfSize)})` };
+      return { distance: `package::shapes::quad::quadIntersect${axis}(ray, ${center}, ${values.vec3(halfSize)})` };
     }
     const frame = [normal, ...duals].map((vector) => values.vec3(vector)).join(", ");
     const reach = values.scalar(Math.max(...duals.map(length)));
-    return { distance: `quadIntersect(ray, ${center}, ${frame}, ${reach})` };
+    return { distance: `package::shapes::quad::quadIntersect(ray, ${center}, ${frame}, ${reach})` };
   },
   item: {
     row: (shape) => {
       const { middle, duals } = dualsOf(shape);
       return { vectors: [middle, ...duals], w: Math.max(...duals.map(length)) };
     },
-    distance: "quadIntersect(ray, item.a, cross(item.b, item.c), item.b, item.c, item.w)",
+    distance: "package::shapes::quad::quadIntersect(ray, item.a, cross(item.b, item.c), item.b, item.c, item.w)",
   },
 };

@@ -1,4 +1,6 @@
 // What a kind of shape is: the contract between its file and the compiler.
+//
+// WGSL expressions call functions of the shader module beside a kind's file by their full names, package::shapes::box::boxIntersect.
 
 import type { Ball, Light } from "../lights/light";
 import type { Measure } from "../scene/measure";
@@ -82,8 +84,6 @@ export type ShapeKind<O, S> = {
   readonly anchor: (shape: S) => Vec4;
   /** What next-event estimation samples where it emits `radiance` and is the primitive of that number. */
   readonly lights: (shape: S, radiance: Rgb, primitive: number) => Light[];
-  /** Functions of the shader module beside its file that the expressions below call. */
-  readonly calls: readonly string[];
   /** Its test, with its values unrolled into the program; `id` is what a ray names that starts on it. Absent if never met so. */
   readonly emit?: (shape: S, id: number, values: Numbers) => EmittedShape;
   /** As one of many in a loop over `scene.<table>`. */

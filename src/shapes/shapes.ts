@@ -69,8 +69,3 @@ export function itemTag(shape: Shape): number {
 export function itemOf(shape: Shape): ItemRow & { readonly tag: number } {
   return { tag: itemTag(shape), ...kindOf(shape).item!.row(shape) };
 }
-
-/** What the expressions of each kind call: shader modules of this folder, and their functions. */
-export const SHAPE_CALLS: readonly (readonly [module: string, functions: readonly string[]])[] = Object.entries(
-  SHAPE_KINDS,
-).map(([name, { calls }]) => [name, calls]);

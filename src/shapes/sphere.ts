@@ -36,21 +36,22 @@ export const sphere: ShapeKind<ResolvedObject & { type: "sphere" }, Sphere> = {
     const bound = { center: position, radius: size };
     return [{ ...ALL_ROUND, kind: "sphere", position, size, radiance, primitive, strength, bound }];
   },
-  calls: ["hugeSphereIntersect", "sphereIntersect"],
   emit: ({ center, radius, foot }, id, values) => {
     if (foot) {
       const [at, spoke] = [foot, subtract(foot, center)].map((vector) => values.vec3(vector));
-      return { distance: `hugeSphereIntersect(ray, ${at}, ${spoke}, ${id}u)` };
+      return { distance: `package::shapes::sphere::hugeSphereIntersect(ray, ${at}, ${spoke}, ${id}u)` };
     }
-    return { distance: `sphereIntersect(ray, ${values.vec3(center)}, ${values.scalar(radius)}, ${id}u)` };
+    return {
+      distance: `package::shapes::sphere::sphereIntersect(ray, ${values.vec3(center)}, ${values.scalar(radius)}, ${id}u)`,
+    };
   },
   loop: {
     table: "hugeSpheres",
     row: ({ center, foot = center }) => ({ point: foot, direction: subtract(foot, center) }),
-    distance: "hugeSphereIntersect(ray, row.point, row.direction, row.id)",
+    distance: "package::shapes::sphere::hugeSphereIntersect(ray, row.point, row.direction, row.id)",
   },
   item: {
     row: ({ center, radius }) => ({ vectors: [center, [0, 0, 0], [0, 0, 0]], w: radius }),
-    distance: "sphereIntersect(ray, item.a, item.w, id)",
+    distance: "package::shapes::sphere::sphereIntersect(ray, item.a, item.w, id)",
   },
 };

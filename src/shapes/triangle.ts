@@ -13,7 +13,7 @@ export type Triangle = {
 };
 
 /** To an item of the tree that is a triangle. */
-export const TRIANGLE_DISTANCE = "triangleIntersect(shear, item.a, item.b, item.c)";
+export const TRIANGLE_DISTANCE = "package::shapes::triangle::triangleIntersect(shear, item.a, item.b, item.c)";
 
 // Twice the area, as a share of the longest edge squared, that the rounding of coordinates as written may make of a line.
 const LEAST_AREA = 1e-12;
@@ -57,10 +57,9 @@ export const triangle: ShapeKind<ResolvedObject & { type: "triangle" }, Triangle
     const light = flatLight("triangle", edges, radiance, primitive, ballAround(vertices), normal);
     return light.size > 0 ? [light] : [];
   },
-  calls: ["triangleIntersect"],
   emit: ({ vertices }, _, values) => {
     const inOrder = inCommonOrder(vertices).map((vertex) => values.vec3(vertex));
-    return { distance: `triangleIntersect(shear, ${inOrder.join(", ")})` };
+    return { distance: `package::shapes::triangle::triangleIntersect(shear, ${inOrder.join(", ")})` };
   },
   item: {
     row: ({ vertices }) => ({ vectors: inCommonOrder(vertices) as [Vec3, Vec3, Vec3], w: 0 }),

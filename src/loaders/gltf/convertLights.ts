@@ -1,4 +1,5 @@
 import { length, scale, subtract } from "../../math/vec3";
+import { pointLight } from "../../scene/builders";
 import type { Light } from "../../scene/schema";
 import type { Bounds } from "../bounds";
 import type { Warnings } from "../warnings";
@@ -28,7 +29,7 @@ export function convertLights(json: GltfJson, nodes: readonly PlacedNode[], warn
       continue;
     }
     if (range !== undefined) warnings.add("The range of a light is not supported: it shines on", place);
-    lights.push({ type: "point", position: positionOf(world), power: scale(color, 4 * Math.PI * intensity) });
+    lights.push(pointLight({ position: positionOf(world), power: scale(color, 4 * Math.PI * intensity) }));
   }
   return lights;
 }

@@ -3,6 +3,7 @@
 import type { Accessor } from "@gltf-transform/core";
 import { mat4d } from "wgpu-matrix";
 import { LoadError } from "../../errors";
+import { mesh } from "../../scene/builders";
 import type { SceneObject } from "../../scene/schema";
 import { Bounds } from "../bounds";
 import { MAX_DISTANCE, MAX_OBJECTS, MAX_TRIANGLES, MAX_VERTICES } from "../limits";
@@ -81,14 +82,15 @@ export class MeshPlacer {
       this.bounds.add(placed);
       if (this.bounds.reach > MAX_DISTANCE) throw new LoadError(`has a vertex ${this.bounds.reach} m from the origin`);
       if (isMirror(world)) shape.flipped ??= flipWinding(indices);
-      this.objects.push({
-        type: "mesh",
-        positions: placed,
-        indices: isMirror(world) ? shape.flipped! : indices,
-        ...(normals && { normals: isInPlace ? normals : transformNormals(normals, world) }),
-        ...(shape.uvs && { uvs: shape.uvs }),
-        material: shape.material,
-      });
+      this.objects.push(
+        mesh({
+          positions: placed,
+          indices: isMirror(world) ? shape.flipped! : indices,
+          ...(normals && { normals: isInPlace ? normals : transformNormals(normals, world) }),
+          ...(shape.uvs && { uvs: shape.uvs }),
+          material: shape.material,
+        }),
+      );
     }
   }
 }
