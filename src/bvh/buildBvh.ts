@@ -1,28 +1,10 @@
 import { findBinnedSplit, type Split } from "./bins";
+import type { Bvh } from "./bvh";
 import { INTERSECTION_COST, TRAVERSAL_COST } from "./sahCost";
 import { chooseSample, SAMPLE, type Sample } from "./sample";
 import { createSlots, halve, PRIMITIVE_WORD, partition, quantize, WORDS } from "./slots";
 import { MOST_SWEPT, sweep } from "./sweep";
 import { uniteBounds } from "./uniteBounds";
-
-/** A binary tree of axis-aligned boxes over primitives. */
-export type Bvh = {
-  /**
-   * Per node `[minX, minY, minZ, maxX, maxY, maxZ]`; depth-first order, root at 0. An inner node's first child is the next
-   * node. The one leaf of an empty tree has an inverted box, `[∞, ∞, ∞, −∞, −∞, −∞]`.
-   */
-  readonly bounds: Float32Array;
-  /** Per node: of an inner node the index of its second child; of a leaf its first slot in `order`. */
-  readonly links: Uint32Array;
-  /** Per node: the axis of an inner node's split, 0 to 2, the first child on its lower side; 3 for a leaf. */
-  readonly axes: Uint8Array;
-  /** Per node: primitives of a leaf, 0 for an inner node. */
-  readonly counts: Uint8Array;
-  /** `order[slot]`: the primitive stored at that leaf slot. */
-  readonly order: Uint32Array;
-  /** Edges from the root to the deepest leaf; 0 for a tree of one leaf. Never above `MAX_DEPTH`. */
-  readonly depth: number;
-};
 
 export type BuildOptions = {
   /** Most primitives in a leaf, 1 to 255; 4. */

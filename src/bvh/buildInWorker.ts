@@ -1,4 +1,5 @@
-import { type BuildOptions, type Bvh, buildBvh } from "./buildBvh";
+import { type BuildOptions, buildBvh } from "./buildBvh";
+import type { Bvh } from "./bvh";
 import type { WorkerReply, WorkerRequest } from "./workerMessages";
 
 /** Fewer primitives are built in the thread: at some 0.7 µs each that is about one frame. */

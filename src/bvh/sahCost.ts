@@ -1,4 +1,4 @@
-import type { Bvh } from "./buildBvh";
+import type { Bvh } from "./bvh";
 
 /** What one step of traversal costs: the unit of the SAH. */
 export const TRAVERSAL_COST = 1;

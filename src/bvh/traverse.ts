@@ -1,4 +1,4 @@
-import type { Bvh } from "./buildBvh";
+import type { Bvh } from "./bvh";
 
 type Triple = readonly [number, number, number] | Float32Array | Float64Array;
 

@@ -1,4 +1,4 @@
-import type { Bvh } from "./buildBvh";
+import type { Bvh } from "./bvh";
 
 /**
  * Writes the exact bounds of a tree's nodes, from the leaves up: children come after their parents.

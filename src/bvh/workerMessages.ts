@@ -1,4 +1,4 @@
-import type { Bvh } from "./buildBvh";
+import type { Bvh } from "./bvh";
 
 /** To the worker, once it is ready. */
 export type WorkerRequest = {

@@ -1,18 +1,15 @@
 import type { Ball } from "../lights/light";
 import { add, cross, dot, length, scale, subtract } from "../math/vec3";
-import type { Vec3 } from "../scene/schema";
 import type { Flat } from "../shapes/shape";
 import { hullOf, kindOf, reachAlong, type Shape } from "../shapes/shapes";
+import type { Frustum } from "./frustum";
 import { isInView } from "./lampWindow";
-
-/** A view: the ray through image plane coordinates (x, y) in [-1, 1] runs along forward + x·right + y·up, forward unit. */
-export type View = { readonly origin: Vec3; readonly forward: Vec3; readonly right: Vec3; readonly up: Vec3 };
 
 // A little less than what is clear, for f32 may round up.
 const MARGIN = 1 - 2 ** -10;
 
 /** A distance along `forward` in front of which a view has no surface; 0 if one may be at the camera. */
-export function clearDepth(shapes: readonly Shape[], view: View): number {
+export function clearDepth(shapes: readonly Shape[], view: Frustum): number {
   const backward = scale(view.forward, -1);
   let depth = Number.POSITIVE_INFINITY;
   for (const shape of shapes) {
@@ -30,7 +27,7 @@ export function clearDepth(shapes: readonly Shape[], view: View): number {
   return Number.isFinite(depth) ? Math.max(depth, 0) * MARGIN : 0;
 }
 
-function depthOfPlane(plane: Flat, { origin, forward, right, up }: View): number {
+function depthOfPlane(plane: Flat, { origin, forward, right, up }: Frustum): number {
   // Along the ray through (x, y) the plane lies at depth height / slope, and the slope is linear in x and y: the nearest
   // point in view is in a corner of the image.
   const height = dot(subtract(plane.point, origin), plane.normal);
@@ -46,7 +43,7 @@ function depthOfPlane(plane: Flat, { origin, forward, right, up }: View): number
  * No ray of a view meets a ball at less depth. Of a planet whose horizon is far away the nearest point is not in view: what
  * comes nearest to its centre decides.
  */
-function ballDepth({ center, radius }: Ball, { origin, forward, right, up }: View): number {
+function ballDepth({ center, radius }: Ball, { origin, forward, right, up }: Frustum): number {
   const toCenter = subtract(center, origin);
   const distance = length(toCenter);
   if (distance <= radius) return 0;

@@ -2,7 +2,7 @@ import { dot, length, scale, subtract } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
 import type { Hull } from "../shapes/shape";
 import { hullOf, reachAlong, type Shape } from "../shapes/shapes";
-import type { View } from "./clearDepth";
+import type { Frustum } from "./frustum";
 
 /** A rectangle of the image plane: [left, bottom, right, top], each in [-1, 1]. */
 export type Window = readonly [left: number, bottom: number, right: number, top: number];
@@ -33,12 +33,12 @@ function boxAround(shapes: readonly Shape[]): Hull {
 }
 
 /** A part of the image outside of which the camera sees none of the shapes. */
-export function lampWindow(lamps: readonly Lamp[], view: View): Window {
+export function lampWindow(lamps: readonly Lamp[], view: Frustum): Window {
   return lamps.map((lamp) => windowOf(lamp, view)).reduce(union, NOTHING);
 }
 
 /** Whether a view may show some of what a hull holds. */
-export function isInView(hull: Hull, view: View): boolean {
+export function isInView(hull: Hull, view: Frustum): boolean {
   if (length(view.right) === 0 || length(view.up) === 0) return true; // a single ray: it has no image plane
   return windowOf(hull, view) !== NOTHING;
 }
@@ -48,7 +48,7 @@ export function shareOf([left, bottom, right, top]: Window): number {
   return (Math.max(right - left, 0) * Math.max(top - bottom, 0)) / 4;
 }
 
-function windowOf(lamp: Lamp, view: View): Window {
+function windowOf(lamp: Lamp, view: Frustum): Window {
   if (lamp === undefined) return EVERYTHING;
   if ("ball" in lamp) {
     const { center, radius } = lamp.ball;
@@ -64,7 +64,7 @@ function windowOf(lamp: Lamp, view: View): Window {
 }
 
 /** Where a ball lies along an axis of the image plane, by the two tangents from the camera. */
-function ballRange(center: Vec3, radius: number, view: View, axis: Vec3): [number, number] {
+function ballRange(center: Vec3, radius: number, view: Frustum, axis: Vec3): [number, number] {
   const toCenter = subtract(center, view.origin);
   const across = dot(toCenter, scale(axis, 1 / length(axis)));
   const depth = dot(toCenter, view.forward);
@@ -79,7 +79,7 @@ function ballRange(center: Vec3, radius: number, view: View, axis: Vec3): [numbe
   return [at(angle - half), at(angle + half)];
 }
 
-function tangent(point: Vec3, view: View, axis: Vec3): number {
+function tangent(point: Vec3, view: Frustum, axis: Vec3): number {
   return dot(point, axis) / (dot(point, view.forward) * dot(axis, axis));
 }
 

@@ -5,12 +5,13 @@ import type { Rgb } from "../scene/schema";
 import type { Vec4 } from "../shapes/shape";
 import { kindOf } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
+import type { Textures } from "../tree/packTexels";
 import type { StructFields, StructLayout, StructValue } from "./defineStruct";
 import { hasManyLights } from "./emitLights";
 import { unboundedRows } from "./emitLoops";
 import { hasHugeBalls, hasRims } from "./features";
 import { FACTORS, LIGHT, MATERIAL, TEXTURE, UNBOUNDED } from "./layouts";
-import { factorRows, hasTextures, type Textures, textureRows } from "./packTextures";
+import { factorRows, hasTextures, textureRows } from "./packTextures";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
 

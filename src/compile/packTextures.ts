@@ -1,4 +1,5 @@
-import type { ResolvedMaterial, ResolvedScene } from "../scene/schema";
+import type { ResolvedMaterial } from "../scene/schema";
+import type { Textures } from "../tree/packTexels";
 import type { StructValue } from "./defineStruct";
 import type { FACTORS, TEXTURE } from "./layouts";
 import type { Primitive } from "./primitives";
@@ -7,8 +8,6 @@ const NO_TEXTURE = 0xffffffff;
 
 /** Ways to wrap, by their number in `wgsl/textures.wgsl`. */
 export const WRAPS = { repeat: 0, mirror: 1, clamp: 2 } as const;
-
-export type Textures = ResolvedScene["textures"];
 
 /** The textures, as the shader's table wants them; in the order of their texels. */
 export function textureRows(textures: Textures): StructValue<typeof TEXTURE.fields>[] {

@@ -3,35 +3,21 @@
 
 import { type AsyncBuildOptions, buildBvhAsync } from "../bvh/buildInWorker";
 import { triangleBounds } from "../bvh/triangleBounds";
-import type { Textures } from "../compile/packTextures";
 import { length, subtract } from "../math/vec3";
 import type { ResolvedScene, Vec3 } from "../scene/schema";
 import { inSceneUnits } from "../shapes/sceneUnits";
 import { isMesh, itemOf, type MeshObject } from "../shapes/shapes";
 import type { BoundedPrimitive } from "./boundedShapes";
 import { boundsOfShape } from "./boundsOfShape";
+import type { MeshPart } from "./meshPart";
 import { packItems } from "./packItems";
 import { type MeshLight, packMeshLights } from "./packMeshLights";
-import { haveSameTexels, texelParts } from "./packTexels";
+import { haveSameTexels, type Textures, texelParts } from "./packTexels";
 import { packTree } from "./packTree";
 import { treeShapesOf } from "./treeShapes";
 
 // Triangles in a leaf of the tree, at most. The shader was as quick with 4 for 1,000 triangles, and 10 % slower for 100,000.
 const MAX_LEAF = 2;
-
-/** A mesh among the scene's objects, relative to the geometry's origin. */
-export type MeshPart = {
-  readonly object: MeshObject;
-  /** Its place in `scene.objects`, which is its primitive's id. */
-  readonly id: number;
-  /** x, y, z per vertex, as the shader has them. */
-  readonly positions: Float32Array;
-  /** Number of its first triangle among those of all meshes. */
-  readonly firstTriangle: number;
-  /** What holds it. */
-  readonly lower: Vec3;
-  readonly upper: Vec3;
-};
 
 /** What `wgsl/tree.wgsl`, `mesh.wgsl`, `meshLights.wgsl` and `textures.wgsl` read. */
 export type GeometryData = {

@@ -1,7 +1,7 @@
 import { NO_NORMAL, packDirections } from "../math/octahedral";
 import { itemOf } from "../shapes/shapes";
 import type { BoundedPrimitive } from "./boundedShapes";
-import type { MeshPart } from "./geometry";
+import type { MeshPart } from "./meshPart";
 
 const ITEM_WORDS = 12;
 // Kinds of items: the two that are triangles of a mesh.

@@ -1,6 +1,6 @@
 import { aliasTable } from "../math/aliasTable";
 import type { Triangles } from "../shapes/shape";
-import type { MeshPart } from "./geometry";
+import type { MeshPart } from "./meshPart";
 
 const ENTRY_WORDS = 4;
 

@@ -1,5 +1,7 @@
-import type { Textures } from "../compile/packTextures";
-import type { ResolvedTexture } from "../scene/schema";
+import type { ResolvedScene, ResolvedTexture } from "../scene/schema";
+
+/** Pictures by name. */
+export type Textures = ResolvedScene["textures"];
 
 /** The texels of all pictures, as they are; undefined if there are none. One after the other they are what the shader reads. */
 export function texelParts(textures: Textures): readonly Uint8Array[] | undefined {

@@ -1,4 +1,4 @@
-import type { Bvh } from "../bvh/buildBvh";
+import type { Bvh } from "../bvh/bvh";
 
 const NODE_WORDS = 8;
 const LEAF_AXIS = 3;

@@ -1,4 +1,5 @@
-import { type Bvh, MAX_DEPTH } from "../../src/bvh/buildBvh";
+import { MAX_DEPTH } from "../../src/bvh/buildBvh";
+import type { Bvh } from "../../src/bvh/bvh";
 
 /** Boxes around points that fill the unit cube. @param size - the boxes' largest extent. */
 export function boxSoup(random: () => number, count: number, size = 0.1): Float32Array {

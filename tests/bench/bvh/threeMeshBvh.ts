@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry } from "three";
 import { MeshBVH, type SplitStrategy } from "three-mesh-bvh";
-import type { Bvh } from "../../../src/bvh/buildBvh";
+import type { Bvh } from "../../../src/bvh/bvh";
 
 /** What three-mesh-bvh packs a node into: six floats, then two words. */
 const NODE_WORDS = 8;

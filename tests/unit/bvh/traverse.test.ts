@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { type Bvh, buildBvh } from "../../../src/bvh/buildBvh";
+import { buildBvh } from "../../../src/bvh/buildBvh";
+import type { Bvh } from "../../../src/bvh/bvh";
 import { anyHit, closestHit, type Intersect, type Ray } from "../../../src/bvh/traverse";
 import { boxSoup } from "../../support/bvh";
 import { createRandom } from "../../support/random";

@@ -1,9 +1,10 @@
 import { describe, expect, test } from "vitest";
-import { clearDepth, type View } from "../../../src/compile/clearDepth";
+import { clearDepth } from "../../../src/compile/clearDepth";
+import type { Frustum } from "../../../src/compile/frustum";
 import type { Shape } from "../../../src/shapes/shapes";
 
 // A camera 1000 in front of the origin; the image spans ±0.01.
-const VIEW: View = { origin: [0, 0, 1000], forward: [0, 0, -1], right: [0.01, 0, 0], up: [0, 0.01, 0] };
+const VIEW: Frustum = { origin: [0, 0, 1000], forward: [0, 0, -1], right: [0.01, 0, 0], up: [0, 0.01, 0] };
 const BALL: Shape = { kind: "sphere", center: [0, 0, 0], radius: 1 };
 const plane = (point: readonly [number, number, number], normal: readonly [number, number, number]): Shape => ({
   kind: "plane",
@@ -36,7 +37,7 @@ describe("the depth in front of which a view is clear", () => {
     const radius = 1e4;
     const dip = Math.acos(radius / (radius + 50));
     const [c, s] = [Math.cos(dip), Math.sin(dip)];
-    const view: View = { ...VIEW, forward: [0, -s, -c], up: [0, 0.01 * c, -0.01 * s] };
+    const view: Frustum = { ...VIEW, forward: [0, -s, -c], up: [0, 0.01 * c, -0.01 * s] };
     const depth = clearDepth([{ kind: "sphere", center: [0, -radius - 50, 1000], radius }], view);
     const toEdge = Math.PI / 2 - dip - Math.atan(0.01); // from straight down
     const [across, along] = [(radius + 50) * Math.sin(toEdge), (radius + 50) * Math.cos(toEdge)];
@@ -46,7 +47,7 @@ describe("the depth in front of which a view is clear", () => {
   });
 
   test("is the way along a single ray, too", () => {
-    const ray: View = { ...VIEW, right: [0, 0, 0], up: [0, 0, 0] };
+    const ray: Frustum = { ...VIEW, right: [0, 0, 0], up: [0, 0, 0] };
     expect(clearDepth([BALL], ray)).toBeCloseTo(999 * (1 - 2 ** -10), 9);
   });
 

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { View } from "../../../src/compile/clearDepth";
+import type { Frustum } from "../../../src/compile/frustum";
 import { type Lamp, lampsOf, lampWindow, shareOf, type Window } from "../../../src/compile/lampWindow";
 import { add, cross, dot, normalize, scale, subtract } from "../../../src/math/vec3";
 import type { Vec3 } from "../../../src/scene/schema";
@@ -12,7 +12,7 @@ const POINTS = 400;
 
 const triple = (size: number): Vec3 => scale(randomDirection(random), size * random());
 
-function randomView(): View {
+function randomView(): Frustum {
   const forward = randomDirection(random);
   const side = normalize(cross(forward, randomDirection(random)));
   const [halfWidth, halfHeight] = [0.1 + random(), 0.1 + random()];
@@ -46,7 +46,7 @@ const LAMPS: Readonly<Record<string, () => { shape: Shape; point: () => Vec3 }>>
 };
 
 /** Image plane coordinates of a point in view, else undefined. */
-function project(point: Vec3, { origin, forward, right, up }: View): [number, number] | undefined {
+function project(point: Vec3, { origin, forward, right, up }: Frustum): [number, number] | undefined {
   const offset = subtract(point, origin);
   const depth = dot(offset, forward);
   if (depth <= 0) return undefined;
@@ -73,7 +73,7 @@ describe.each(Object.keys(LAMPS))("the window of a %s, seed 21", (kind) => {
 });
 
 const PLANE: Shape = { kind: "plane", point: [0, 0, 0], normal: [0, 1, 0], axis: "Y" };
-const FRONT: View = { origin: [0, 0, 10], forward: [0, 0, -1], right: [0.5, 0, 0], up: [0, 0.5, 0] };
+const FRONT: Frustum = { origin: [0, 0, 10], forward: [0, 0, -1], right: [0.5, 0, 0], up: [0, 0.5, 0] };
 
 test("a ball's window ends at its tangents", () => {
   const [, , right] = lampWindow([{ ball: { center: [0, 0, 0], radius: 1 } }], FRONT);
