@@ -3,23 +3,25 @@ import { fileURLToPath } from "node:url";
 import { type BuildEnvironmentOptions, defineConfig, type Plugin } from "vite";
 
 /**
- * Ships shader modules, the templates of generated ones, and the style of the element without comments and indentation: a
- * twelfth of what a page downloads. WGSL has no strings to mistake for one.
+ * Ships shader modules, and the templates of files that say `@lean wgsl` or `@lean css`, without comments and indentation: a twelfth
+ * of what a page downloads. WGSL has no strings to mistake for a comment.
  */
 export function leanShaders(): Plugin {
-  const lean = (text: string) => text.replaceAll(/\s*\/\/.*$/gm, "").replaceAll(/\n\s+/g, "\n");
+  const lean = {
+    wgsl: (text: string) => text.replaceAll(/\s*\/\/.*$/gm, "").replaceAll(/\n\s+/g, "\n"),
+    css: (text: string) => text.replaceAll(/\s*\/\*.*?\*\//gs, "").replaceAll(/\n\s+/g, "\n"),
+  };
   return {
     name: "lean-shaders",
     enforce: "pre",
     async load(id) {
       const [file, query] = id.split("?");
       if (!file?.endsWith(".wgsl") || query !== "raw") return;
-      return `export default ${JSON.stringify(lean(await readFile(file, "utf8")).trimStart())}`;
+      return `export default ${JSON.stringify(lean.wgsl(await readFile(file, "utf8")).trimStart())}`;
     },
-    transform(code, id) {
-      if (/\/compile\/emit\w+\.ts$/.test(id)) return lean(code);
-      if (/\/element\/styles\.ts$/.test(id)) return code.replaceAll(/\s*\/\*.*?\*\//gs, "").replaceAll(/\n\s+/g, "\n");
-      return;
+    transform(code) {
+      const language = /^\/\/ @lean (wgsl|css)$/m.exec(code)?.[1];
+      return language && lean[language as keyof typeof lean](code);
     },
   };
 }

@@ -8,8 +8,9 @@ import { emitScene, type SceneParts } from "./emitScene";
 import { deriveFeatures, describeFeatures, type Features, type ProgramSettings } from "./features";
 import { type Lamp, lampsOf } from "./lampWindow";
 import { lightsOfScene } from "./lights";
-import { bytesOf, packScene, packTables, tablesOf } from "./packScene";
+import { tablesOf } from "./packScene";
 import { isEmissive, primitivesOf } from "./primitives";
+import { bytesOf, type Member, packMembers, sceneMembers, slotsMember } from "./sceneMembers";
 import { unrollingOf } from "./unrolling";
 import { Literals, Slots } from "./values";
 
@@ -49,7 +50,7 @@ export function compileScene(
     ...parts,
     origin: given.camera.target,
     unit,
-    packed: packTables(tables),
+    members: sceneMembers(tables, unrolling),
     description: describeFeatures(primitives, lights, features),
     shapes: primitives.map(({ shape }) => shape),
     lamps: lampsOf(primitives.filter(isEmissive).map(({ shape }) => shape)),
@@ -63,8 +64,8 @@ export function compileScene(
 type Shared = SceneParts & {
   readonly origin: Vec3;
   readonly unit: number;
-  /** The bytes of its tables. */
-  readonly packed: readonly ArrayBuffer[];
+  /** Of `scene`, but for the slots. */
+  readonly members: readonly Member[];
   readonly description: readonly string[];
   readonly shapes: readonly Shape[];
   readonly lamps: readonly Lamp[];
@@ -99,14 +100,15 @@ export class CompiledScene {
   /** @param blocking - for values as constants: which of the unrolled primitives can block. */
   constructor(shared: Shared, blocking?: ReadonlySet<number>) {
     const slots = new Slots();
-    const sizeOf = () => {
-      const slotCount = slots.numbers.length / 4;
-      return { slotCount, isStored: bytesOf(shared.packed) + 16 * Math.max(slotCount, 1) > MAX_UNIFORM_BYTES };
+    const packed = () => {
+      const members = [...shared.members, slotsMember(slots.numbers)];
+      return { members, isStored: bytesOf(members) > MAX_UNIFORM_BYTES };
     };
     const values = blocking ? new Literals() : slots;
-    this.sceneModule = emitScene(shared, values, (id) => blocking?.has(id) ?? true, sizeOf);
-    this.uniform = packScene(shared.packed, slots.numbers);
-    this.isStored = this.uniform.byteLength > MAX_UNIFORM_BYTES;
+    this.sceneModule = emitScene(shared, values, (id) => blocking?.has(id) ?? true, packed);
+    const { members, isStored } = packed();
+    this.uniform = packMembers(members);
+    this.isStored = isStored;
     this.features = shared.features;
     this.description = [...shared.description, blocking ? "values as constants" : "values in a buffer"];
     this.shapes = shared.shapes;

@@ -1,3 +1,4 @@
+// @lean wgsl
 // Writes the part of the shader module `scene` that chooses the light to sample, and a point on it.
 
 import type { Light } from "../lights/light";

@@ -1,3 +1,4 @@
+// @lean wgsl
 // Writes the parts of the shader module `scene` that go through the shapes of a table: planes and huge spheres, of which there are
 // too many to unroll them. No tree can hold them.
 
@@ -15,11 +16,6 @@ ${Object.entries(UNBOUNDED.fields)
   .map(([name, type]) => `  ${name}: ${type},\n`)
   .join("")}}
 `;
-}
-
-/** The members of the struct `Scene`. */
-export function emitTableMembers(unrolling: Unrolling): string {
-  return unrolling.loops.map(({ table: { table }, ids }) => `  ${table}: array<Unbounded, ${ids.length}>,\n`).join("");
 }
 
 /** Statements that put the nearest in `hit`. */
@@ -48,7 +44,7 @@ export function emitBlockingLoops(unrolling: Unrolling): string {
     .join("");
 }
 
-/** The rows of all tables, in the order of the members. */
+/** The rows of each table. */
 export function unboundedRows(unrolling: Unrolling, primitives: readonly Primitive[]) {
-  return unrolling.loops.flatMap(({ table, ids }) => ids.map((id) => ({ ...table.row(primitives[id]!.shape), id })));
+  return unrolling.loops.map(({ table, ids }) => ids.map((id) => ({ ...table.row(primitives[id]!.shape), id })));
 }

@@ -1,16 +1,18 @@
+// @lean wgsl
 // Writes the shader module `scene`: the scene's own intersection functions, unrolled, and access to its tables.
 // Numbers come from validated scenes only and names from this file; no user text reaches WGSL.
 
 import type { Light } from "../lights/light";
 import type { Geometry } from "../tree/geometry";
 import type { StructFields, StructLayout } from "./defineStruct";
-import { emitLightChoice, emitLightSamplers, hasManyLights } from "./emitLights";
-import { emitRowStruct, emitTableMembers } from "./emitLoops";
+import { emitLightChoice, emitLightSamplers } from "./emitLights";
+import { emitRowStruct } from "./emitLoops";
 import { emitShapes } from "./emitShapes";
 import type { Features } from "./features";
 import { LIGHT, MATERIAL } from "./layouts";
 import type { Tables } from "./packScene";
 import type { Primitive } from "./primitives";
+import { emitStruct, type Member } from "./sceneMembers";
 import type { Unrolling } from "./unrolling";
 import type { Row, RowType, Values } from "./values";
 
@@ -29,19 +31,19 @@ export type SceneParts = {
  *
  * @param values - how numbers are named.
  * @param blocks - whether primitive `id` can come between a shaded point and a light.
- * @param packed - asked once all numbers are named: how many slots there are, and whether the scene's values are in a storage
- * buffer, being too many for a uniform.
+ * @param packed - asked once all numbers are named: the members of `scene`, and whether they are in a storage buffer, being too
+ * many for a uniform.
  */
 export function emitScene(
   { primitives, lights, unrolling, features, tables, geometry }: SceneParts,
   values: Values,
   blocks: (id: number) => boolean,
-  packed: () => { readonly slotCount: number; readonly isStored: boolean },
+  packed: () => { readonly members: readonly Member[]; readonly isStored: boolean },
 ): string {
   const shapes = emitShapes(primitives, lights, unrolling, geometry, values, blocks);
-  const textureCount = tables.textures.length;
+  const hasTextures = tables.textures.length > 0;
   const lightChoice = emitLightChoice(lights, features, values);
-  const { slotCount, isStored } = packed();
+  const { members, isStored } = packed();
 
   return `
 import package::lights::light::{Light, LightChoice, LightSample, flatLightShare, lightShare};
@@ -55,37 +57,17 @@ import package::tree::{Item, itemAt, treeClosest, treeOccludes};
 const PRIMITIVES = ${primitives.length}u;
 const STACK_SIZE = ${stackSizeFor(geometry)}u;
 ${emitRowStruct(unrolling)}
-struct Scene {
-  environment: vec4f,
-  materials: array<Material, ${Math.max(primitives.length, 1)}>,
-  // Centre and radius of a sphere; unit normal and 0 of a flat primitive; a box has only w, -1.
-  shapes: array<vec4f, ${Math.max(primitives.length, 1)}>,
-  // See anchorRow in compile/packScene.ts.
-  anchors: array<vec4f, ${Math.max(tables.anchors.length, 1)}>,
-  lights: array<Light, ${Math.max(lights.length, 1)}>,
-${hasManyLights(lights) ? lightMembers(lights.length, primitives.length) : ""}${emitTableMembers(unrolling)}${textureCount > 0 ? textureMembers(primitives.length, textureCount) : ""}  // Values of the intersection functions below.
-  slots: array<vec4f, ${Math.max(slotCount, 1)}>,
-}
-
+${emitStruct(members)}
 // Written by the renderer when the scene changes.
 @group(0) @binding(1) var<${isStored ? "storage, read" : "uniform"}> scene: Scene;
 ${shapes}
 fn environment() -> vec3f {
-  return scene.environment.rgb;
+  return scene.environment[0].rgb;
 }
-${textureCount > 0 ? TEXTURE_LOOKUPS : ""}
+${hasTextures ? TEXTURE_LOOKUPS : ""}
 ${emitLookups(tables, values)}
 ${emitLightSamplers(lights, features)}
 ${lightChoice}`;
-}
-
-function lightMembers(count: number, primitiveCount: number): string {
-  return `  // Of each light: the ball around it; the side it shines to, or zero, and its strength.
-  lightBounds: array<vec4f, ${count}>,
-  lightFronts: array<vec4f, ${count}>,
-  // Of each primitive: the ball around its lights.
-  primitiveBounds: array<vec4f, ${Math.max(primitiveCount, 1)}>,
-`;
 }
 
 // The stack grows in steps, so that most geometry shares a program. One place more than links can wait.
@@ -93,13 +75,6 @@ const STACK_STEP = 8;
 
 function stackSizeFor(geometry: Geometry | undefined): number {
   return Math.max(Math.ceil((geometry ? geometry.depth + 1 : 0) / STACK_STEP), 1) * STACK_STEP;
-}
-
-function textureMembers(primitiveCount: number, textureCount: number): string {
-  return `  // By primitive.
-  factors: array<Factors, ${Math.max(primitiveCount, 1)}>,
-  textures: array<Texture, ${textureCount}>,
-`;
 }
 
 const TEXTURE_LOOKUPS = `

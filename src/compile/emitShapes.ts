@@ -1,3 +1,4 @@
+// @lean wgsl
 // Writes the part of the shader module `scene` that finds what a ray meets.
 
 import type { Light } from "../lights/light";

@@ -6,19 +6,16 @@ import type { Vec4 } from "../shapes/shape";
 import { kindOf } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
 import type { Textures } from "../tree/packTexels";
-import type { StructFields, StructLayout, StructValue } from "./defineStruct";
 import { hasManyLights } from "./emitLights";
 import { unboundedRows } from "./emitLoops";
 import { hasHugeBalls, hasRims } from "./features";
-import { FACTORS, LIGHT, MATERIAL, TEXTURE, UNBOUNDED } from "./layouts";
 import { factorRows, hasTextures, textureRows } from "./packTextures";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
 
 const NO_PRIMITIVE = 0xffffffff;
-const VEC4_BYTES = 16;
 
-/** What the shader looks up by number, and the environment; see the struct that `emitScene` declares. */
+/** What the shader looks up by number, and the environment. */
 export type Tables = ReturnType<typeof tablesOf>;
 
 export function tablesOf(
@@ -36,46 +33,11 @@ export function tablesOf(
     shapes: primitives.map(({ shape }) => kindOf(shape).row(shape)),
     anchors: anchorRows(primitives),
     lights: lightRows(primitives, lights, geometry),
-    lightBounds: isMany ? lightBoundRows(primitives, lights) : [],
+    ...lightBoundRows(isMany ? lights : [], primitives),
     unbounded: unboundedRows(unrolling, primitives),
     factors: hasTextures(textures) ? factorRows(primitives, textures) : [],
     textures: textureRows(textures),
   };
-}
-
-/**
- * The bytes of `scene`, its members one by one, but for the slots, which come last: in the order and with the array lengths of
- * the struct that `emitScene` declares. Every member is a multiple of 16 bytes long.
- */
-export function packTables(tables: Tables): ArrayBuffer[] {
-  return [
-    new Float32Array([...tables.environment, 0]).buffer,
-    orZeros(rows(MATERIAL, tables.materials), MATERIAL.bytes),
-    orZeros(vec4s(tables.shapes), VEC4_BYTES),
-    orZeros(vec4s(tables.anchors), VEC4_BYTES),
-    orZeros(rows(LIGHT, tables.lights), LIGHT.bytes),
-    vec4s(tables.lightBounds),
-    rows(UNBOUNDED, tables.unbounded),
-    rows(FACTORS, tables.factors),
-    rows(TEXTURE, tables.textures),
-  ];
-}
-
-/** The bytes of `scene`: those of its tables, then the slots. */
-export function packScene(tables: readonly ArrayBuffer[], slots: readonly number[]): ArrayBuffer {
-  const members = [...tables, orZeros(new Float32Array(slots).buffer, VEC4_BYTES)];
-  const all = new Uint8Array(bytesOf(members));
-  let offset = 0;
-  for (const member of members) {
-    all.set(new Uint8Array(member), offset);
-    offset += member.byteLength;
-  }
-  return all.buffer;
-}
-
-/** Of all members together. */
-export function bytesOf(members: readonly ArrayBuffer[]): number {
-  return members.reduce((bytes, member) => bytes + member.byteLength, 0);
 }
 
 /** The surfaces of all primitives, by id. Those of a material that are no lights share a row. */
@@ -136,39 +98,13 @@ function hitId(id: number | undefined, primitives: readonly Primitive[], geometr
   return slot === undefined ? id : primitives.length + slot;
 }
 
-/** Bounds and fronts of lights, and bounds of primitives, where the shader looks them up: see `emitScene`. */
-function lightBoundRows(primitives: readonly Primitive[], lights: readonly Light[]): number[][] {
+/** What the choice among many lights looks up: see `emitLights.ts`. */
+function lightBoundRows(lights: readonly Light[], primitives: readonly Primitive[]) {
   const byPrimitive = new Map(lights.map(({ primitive, bound }) => [primitive, bound]));
   const row = (bound: Ball | undefined) => (bound ? [...bound.center, bound.radius] : [0, 0, 0, 0]);
-  return [
-    ...lights.map(({ bound }) => row(bound)),
-    ...lights.map(({ front = [0, 0, 0], strength }) => [...front, strength]),
-    ...primitives.map((_, id) => row(byPrimitive.get(id))),
-  ];
-}
-
-function rows<F extends StructFields>(layout: StructLayout<F>, values: readonly StructValue<F>[]): ArrayBuffer {
-  const buffer = new ArrayBuffer(layout.bytes * values.length);
-  const [view, bytes] = [new DataView(buffer), new Uint8Array(buffer)];
-  // Many primitives may have one row: copying is ten times quicker than writing.
-  const written = new Map<StructValue<F>, number>();
-  for (const [i, value] of values.entries()) {
-    const [at, from] = [i * layout.bytes, written.get(value)];
-    if (from === undefined) {
-      layout.write(view, at, value);
-      written.set(value, at);
-    } else bytes.copyWithin(at, from, from + layout.bytes);
-  }
-  return buffer;
-}
-
-function vec4s(values: readonly (readonly number[])[]): ArrayBuffer {
-  const floats = new Float32Array(4 * values.length);
-  for (const [i, value] of values.entries()) floats.set(value, 4 * i);
-  return floats.buffer;
-}
-
-/** WGSL has no empty arrays: where there is nothing, one element that is never read. */
-function orZeros(array: ArrayBuffer, elementBytes: number): ArrayBuffer {
-  return array.byteLength > 0 ? array : new ArrayBuffer(elementBytes);
+  return {
+    lightBounds: lights.map(({ bound }) => row(bound)),
+    lightFronts: lights.map(({ front = [0, 0, 0], strength }) => [...front, strength]),
+    primitiveBounds: lights.length > 0 ? primitives.map((_, id) => row(byPrimitive.get(id))) : [],
+  };
 }

@@ -1,3 +1,4 @@
+// @lean css
 /** The element's look. Everything that a page may want to restyle is a `::part` or a custom property. */
 const CSS = /* css */ `
 :host {

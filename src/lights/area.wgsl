@@ -1,7 +1,7 @@
 // Points on what is flat.
 //
 // [1] Heitz 2019, "A Low-Distortion Map Between Triangle and Square"
-import package::constants::NONE;
+import package::constants::{NEAR2, NONE};
 import package::lights::light::{Light, LightSample};
 import package::minMax::greater;
 
@@ -19,10 +19,10 @@ fn squareToTriangle(u: vec2f) -> vec2f {
 fn fromArea(p: vec3f, q: vec3f, n: vec3f, area: f32) -> LightSample {
   let toLight = q - p;
   let d2 = dot(toLight, toLight);
-  let d = sqrt(greater(d2, 1e-36));
+  let d = sqrt(greater(d2, NEAR2));
   let wi = toLight / d;
   let cosLight = -dot(wi, n);
-  if (cosLight <= 0.0 || d2 <= 1e-36) { return LightSample(wi, d, vec3f(0.0), 0.0, NONE, 0.0); }
+  if (cosLight <= 0.0 || d2 <= NEAR2) { return LightSample(wi, d, vec3f(0.0), 0.0, NONE, 0.0); }
   let solidAngle = area * cosLight / d2;
   return LightSample(wi, d, vec3f(solidAngle), 1.0 / solidAngle, NONE, 0.0);
 }

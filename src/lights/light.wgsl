@@ -69,12 +69,15 @@ fn lightPick(samples: Sampler, dimension: u32) -> vec2f {
   @if(!LIGHT_PICKS) return vec2f(0.0);
 }
 
+// A light no further than 1e-10 away is as good as touching: its share is finite, and so is the product with its size.
+const TOUCHING2 = 1e-20;
+
 // What a light of unit strength in the ball `bound` (centre, radius) is expected to add to what the surface sends to the
 // viewer; finite near the ball, and 0 only where nothing in the ball is above the surface.
 @if(MANY_LIGHTS)
 fn lightShare(surface: Surface, bound: vec4f) -> f32 {
   let toLight = bound.xyz - surface.p;
-  let d2 = greater(dot(toLight, toLight), 1e-20);
+  let d2 = greater(dot(toLight, toLight), TOUCHING2);
   let perDistance = inverseSqrt(d2);
   let size = bound.w * perDistance;
   return bsdfExpect(surface.bsdf, surface.wo, toLocal(surface.frame, toLight * perDistance), size) / greater(d2, bound.w * bound.w);

@@ -3,7 +3,7 @@
 // [1] Walker 1977, "An Efficient Method for Generating Discrete Random Variables with General Distributions", TOMS 3(3)
 import package::lights::area::{fromArea, squareToTriangle};
 import package::lights::light::{Light, LightSample};
-import package::shapes::mesh::uvs;
+import package::shapes::mesh::{LINE, uvs};
 import package::scene::{PRIMITIVES, factorsOf};
 import package::textures::colorAt;
 import package::tree::{TURNED_TRIANGLE, itemAt};
@@ -33,7 +33,7 @@ fn sampleMesh(p: vec3f, light: Light, u: vec2f, pick: vec2f) -> LightSample {
   // Unit edges first: no product of four lengths. Where two corners are one in f32, beside a third that is far off, it emits
   // from no side.
   let across = cross(normalize(edge1), normalize(edge2)) * select(1.0, -1.0, item.kind == TURNED_TRIANGLE);
-  let front = select(normalize(across), vec3f(0.0), all(abs(across) < vec3f(0x1p-60)));
+  let front = select(normalize(across), vec3f(0.0), all(abs(across) < vec3f(LINE)));
   let at = squareToTriangle(u);
   var sample = fromArea(p, item.a + at.x * edge1 + at.y * edge2, front, light.size);
   sample.id = PRIMITIVES + slot;

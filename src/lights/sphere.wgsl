@@ -3,7 +3,7 @@
 // [1] Shirley, Wang, Zimmerman 1996, "Monte Carlo Techniques for Direct Lighting Calculations", TOG 15(1)
 // [2] Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., section 6.2.4
 import package::basis::{frameAround, toWorld};
-import package::constants::{NONE, TWO_PI};
+import package::constants::{NEAR2, NONE, TWO_PI};
 import package::directions::{circle, uniformSphere};
 import package::lights::area::fromArea;
 import package::lights::light::LightSample;
@@ -14,7 +14,7 @@ import package::minMax::{greater, lesser};
 fn sampleSphere(p: vec3f, center: vec3f, radius: f32, u: vec2f) -> LightSample {
   let toCenter = center - p;
   let d2 = dot(toCenter, toCenter);
-  let sin2Max = radius * radius / greater(d2, 1e-36);
+  let sin2Max = radius * radius / greater(d2, NEAR2);
   if (sin2Max >= 1.0) { return LightSample(vec3f(0.0, 0.0, 1.0), 0.0, vec3f(0.0), 0.0, NONE, 0.0); }
   let oneMinusCos = u.x * coneOneMinusCos(sin2Max);
   let cosTheta = 1.0 - oneMinusCos;
@@ -33,7 +33,7 @@ fn coneOneMinusCos(sin2Max: f32) -> f32 {
 // Density of sampleSphere towards any point of the sphere that p sees.
 fn sphereLightPdf(p: vec3f, center: vec3f, radius: f32) -> f32 {
   let toCenter = center - p;
-  let sin2Max = radius * radius / greater(dot(toCenter, toCenter), 1e-36);
+  let sin2Max = radius * radius / greater(dot(toCenter, toCenter), NEAR2);
   return select(0.0, 1.0 / (TWO_PI * coneOneMinusCos(lesser(sin2Max, 1.0))), sin2Max < 1.0);
 }
 

@@ -81,6 +81,12 @@ fn bsdfEval(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> vec4f {
   }
 }
 
+// The square of the least width of a lobe that a light is weighed by.
+const LEAST_ALPHA2 = 1e-6;
+
+// wo and wi are opposite, and their half vector has no direction, where the square of their sum is no more than this.
+const OPPOSITE2 = 1e-30;
+
 // About the mean of f·cos over a ball of light around wi of radius `size` at distance 1: to choose lights by. 0 only where all
 // of the ball is below the surface.
 @if(MANY_LIGHTS)
@@ -89,9 +95,9 @@ fn bsdfExpect(bsdf: Bsdf, wo: vec3f, wi: vec3f, size: f32) -> f32 {
   @if(!ROUGH) return cosI;
   @if(ROUGH) {
     // Microfacets turn by half the angle: the light widens their distribution. The least width keeps weights finite.
-    let alpha = sqrt(greater(bsdf.alpha * bsdf.alpha + 0.25 * size * size, 1e-6));
+    let alpha = sqrt(greater(bsdf.alpha * bsdf.alpha + 0.25 * size * size, LEAST_ALPHA2));
     let h = wo + wi;
-    let wm = select(vec3f(0.0, 0.0, 1.0), normalize(h), dot(h, h) > 1e-30);
+    let wm = select(vec3f(0.0, 0.0, 1.0), normalize(h), dot(h, h) > OPPOSITE2);
     var glossy = ggxD(wm, alpha) * ggxVisibility(greater(wo.z, LEAST_COSINE), cosI, alpha);
     @if(MIRROR) glossy = select(0.0, glossy, bsdf.alpha > 0.0); // light samples never find a mirror's direction
     // Even black metal reflects at grazing angles.

@@ -7,7 +7,7 @@
 // [2] Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2)
 // [3] Dupuy, Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"
 // [4] Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"
-import package::constants::{PI};
+import package::constants::{LEAST_COMPONENT, PI};
 import package::directions::circle;
 import package::minMax::greater;
 
@@ -45,5 +45,5 @@ fn ggxSample(wo: vec3f, alpha: f32, u: vec2f) -> vec3f {
   let stretched = normalize(vec3f(alpha * wo.xy, wo.z));
   let z = (1.0 - u.y) * (1.0 + stretched.z) - stretched.z;
   let cap = vec3f(sqrt(greater(1.0 - z * z, 0.0)) * circle(u.x), z) + stretched;
-  return normalize(vec3f(alpha * cap.xy, greater(cap.z, 1e-18)));
+  return normalize(vec3f(alpha * cap.xy, greater(cap.z, LEAST_COMPONENT)));
 }

@@ -27,6 +27,15 @@ const POINT_ERROR = 0x1.4p-20;
 // spans three.
 const MAX_STEP = 0x1p-8;
 
+// Of unit edges, the cross product of a triangle two of whose corners are one in f32.
+const LINE = 0x1p-60;
+
+// Length of a sum of unit normals that has no digits left but rounding.
+const CANCELLED = 1e-6;
+
+// Of a tangent, or of the square of a normal that a texture tells: too short to have a direction.
+const NO_DIRECTION = 1e-12;
+
 struct MeshPoint {
   // Within the triangle, and not on its edges.
   p: vec3f,
@@ -50,7 +59,7 @@ fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
   let e2 = edge2 / longest;
   let area = cross(e1, e2);
   // Two of whose corners are one in f32, beside a third that is far off: any normal will do, and any point.
-  let isLine = all(abs(area) < vec3f(0x1p-60));
+  let isLine = all(abs(area) < vec3f(LINE));
   let twiceArea = select(length(area), 1.0, isLine);
   let normal = select(area / twiceArea, -ray.d, isLine);
 
@@ -86,7 +95,7 @@ fn interpolatedNormal(slot: u32, weights: vec3f, n: vec3f) -> vec3f {
   let sum = weights.x * octahedral(normals[3u * slot]) + weights.y * octahedral(normals[3u * slot + 1u]) +
     weights.z * octahedral(normals[3u * slot + 2u]);
   let size = length(sum);
-  return select(n, sum / size, size > 1e-6); // opposite normals may cancel out
+  return select(n, sum / size, size > CANCELLED); // opposite normals may cancel out
 }
 
 @if(TEXTURES)
@@ -106,13 +115,13 @@ fn texturedNormal(slot: u32, factors: Factors, uv: vec2f, n: vec3f, e1: vec3f, e
   let flat = alongU - dot(alongU, n) * n;
   let size = length(flat);
   // Where the texture is stretched over no area, it has no directions.
-  if (factors.normalTexture == NONE || size < 1e-12) { return n; }
+  if (factors.normalTexture == NONE || size < NO_DIRECTION) { return n; }
   let tangent = flat / size;
   let side = cross(n, tangent);
   let bitangent = select(side, -side, dot(side, alongV) > 0.0);
   let told = 2.0 * dataAt(factors.normalTexture, uv) - 1.0;
   let bent = factors.normalScale * (told.x * tangent + told.y * bitangent) + told.z * n;
-  return normalize(select(bent, n, dot(bent, bent) < 1e-12));
+  return normalize(select(bent, n, dot(bent, bent) < NO_DIRECTION));
 }
 
 // Of a vertex without a normal: its triangles are flat.

@@ -8,6 +8,12 @@ const FAR = 1e18;
 // Distance of a hit that rounding would put at or behind the ray's origin. Its square is not subnormal.
 const NEAR = 1e-18;
 
+// What divides in place of smaller squares of distances, and of 0: quotients stay finite.
+const NEAR2 = 1e-36;
+
+// The same for cosines and other components of unit vectors.
+const LEAST_COMPONENT = 1e-18;
+
 // "No primitive": the source of a camera ray, the result of a ray that escapes.
 const NONE = 0xffffffffu;
 

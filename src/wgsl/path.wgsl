@@ -4,7 +4,7 @@
 // [2] Arvo, Kirk 1990, "Particle Transport and Image Synthesis"
 import package::lobes::bsdf::{bsdfEval, bsdfSample};
 import package::camera::cameraRay;
-import package::constants::NONE;
+import package::constants::{NEAR2, NONE};
 import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::basis::{toLocal, toWorld};
 import package::lamps::inLampWindow;
@@ -41,7 +41,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     let surface = surfaceAt(ray, hit);
     @if(EMISSION) {
       var lightPdf = lightSampleCount() * surface.lightPdf;
-      @if(MANY_LIGHTS) lightPdf *= lightShareOf(primitiveOf(hit.id), last) / greater(totalWeight, 1e-36);
+      @if(MANY_LIGHTS) lightPdf *= lightShareOf(primitiveOf(hit.id), last) / greater(totalWeight, NEAR2);
       let weight = select(powerHeuristic(pdf, lightPdf), 1.0, pdf == 0.0);
       L += beta * surface.Le * select(weight, 0.0, pdf < 0.0);
     }

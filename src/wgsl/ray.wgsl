@@ -1,7 +1,7 @@
 // A ray never meets the surface it leaves at its own origin. Analytic primitives are flat or convex, so instead of
 // moving the origin off the surface by an epsilon, the ray names the primitive it starts on and the intersectors leave
 // that one out (flat, or convex seen from outside) or take only its far side (seen from inside). No scale enters.
-import package::constants::{FAR, NONE};
+import package::constants::{FAR, LEAST_COMPONENT, NONE};
 
 struct Ray {
   o: vec3f,
@@ -22,9 +22,9 @@ fn makeRay(o: vec3f, d: vec3f, source: u32) -> Ray {
   return Ray(o, d, safeInverse(d), source);
 }
 
-// 1/d with components at or near zero replaced by 1e-18, so that slab distances are huge but finite and never 0·inf.
+// 1/d with components at or near zero replaced, so that slab distances are huge but finite and never 0·inf.
 fn safeInverse(d: vec3f) -> vec3f {
-  return 1.0 / select(d, vec3f(1e-18), abs(d) < vec3f(1e-18));
+  return 1.0 / select(d, vec3f(LEAST_COMPONENT), abs(d) < vec3f(LEAST_COMPONENT));
 }
 
 fn noHit() -> Hit {

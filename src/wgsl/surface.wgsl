@@ -1,6 +1,6 @@
 // What a ray finds where it hits.
 import package::basis::{Frame, frameAround, toLocal};
-import package::constants::NONE;
+import package::constants::{LEAST_COMPONENT, NONE};
 import package::lights::sphere::sphereLightPdf;
 import package::lobes::bsdf::{Bsdf, specularShare};
 import package::lobes::multiscatter::multiscatterGain;
@@ -105,7 +105,7 @@ fn bsdfOf(id: u32, cosO: f32, uv: vec2f) -> Bsdf {
 
 @if(EMISSION)
 fn lightPdf(density: f32, ray: Ray, t: f32, found: SurfacePoint) -> f32 {
-  let flat = density * t * t / greater(abs(dot(ray.d, found.n)), 1e-18);
+  let flat = density * t * t / greater(abs(dot(ray.d, found.n)), LEAST_COMPONENT);
   @if(!EMISSIVE_BALLS) return flat;
   @if(EMISSIVE_BALLS) {
     let ball = found.shape;

@@ -1,9 +1,9 @@
 import { type CompiledScene, compileScene } from "../../src/compile/compileScene";
-import { LIGHT, MATERIAL, UNBOUNDED } from "../../src/compile/layouts";
+import { FACTORS, LIGHT, MATERIAL, TEXTURE, UNBOUNDED } from "../../src/compile/layouts";
 import { linkProgram } from "../../src/compile/linkProgram";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Light, Material, Scene, SceneObject } from "../../src/scene/schema";
-import { readStruct } from "./wgslStruct";
+import { parseStruct, readStruct } from "./wgslStruct";
 
 /** A scene of these objects and lights; materials are `lambert` (ior 1) and what `materials` adds. */
 export function sceneOf(
@@ -30,27 +30,38 @@ export async function wgslOf(scene: Scene, settings: Parameters<typeof compile>[
   return linkProgram(sceneModule, features);
 }
 
-/** The uniform `scene`, taken apart by the struct that the generated module declares. */
+/** The buffer `scene`, taken apart as the struct that the generated module declares: by member, its rows. */
 export function unpack({ sceneModule, uniform }: CompiledScene) {
   const view = new DataView(uniform);
-  const count = (field: string) => Number(new RegExp(`${field}: array<\\w+, (\\d+)>`).exec(sceneModule)?.[1] ?? 0);
-  let offset = 0;
-  const take = (bytes: number) => {
-    offset += bytes;
-    return offset - bytes;
-  };
-  const vec4 = () => Array.from({ length: 4 }, () => view.getFloat32(take(4), true));
-  const list = <T>(field: string, read: () => T) => Array.from({ length: count(field) }, read);
-  const struct = (layout: typeof MATERIAL | typeof LIGHT | typeof UNBOUNDED) => () =>
-    readStruct(view, take(layout.bytes), Object.entries(layout.fields));
-
-  const environment = vec4();
-  const materials = list("materials", struct(MATERIAL));
-  const shapes = list("shapes", vec4);
-  const anchors = list("anchors", vec4);
-  const lights = list("lights", struct(LIGHT));
-  const planes = list("planes", struct(UNBOUNDED));
-  const hugeSpheres = list("hugeSpheres", struct(UNBOUNDED));
-  const slots = list("slots", vec4);
-  return { environment, materials, shapes, anchors, lights, planes, hugeSpheres, slots, bytes: offset };
+  let bytes = 0;
+  const members = parseStruct(sceneModule, "Scene").map(([name, type]) => {
+    const [, element, count] = /^array<(\w+), (\d+)>$/.exec(type)!;
+    const fields = STRUCTS[element!];
+    const stride = fields ? fields.bytes : 16;
+    const rows = Array.from({ length: Number(count) }, (_, i) => {
+      const at = bytes + i * stride;
+      if (fields) return readStruct(view, at, Object.entries(fields.fields));
+      return Array.from({ length: 4 }, (_, k) => view.getFloat32(at + 4 * k, true));
+    });
+    bytes += stride * rows.length;
+    return [name, rows];
+  });
+  return { planes: [], hugeSpheres: [], ...Object.fromEntries(members), bytes } as Unpacked;
 }
+
+type Vec4 = readonly number[];
+type Row = ReturnType<typeof readStruct>;
+type Unpacked = {
+  readonly [name in "environment" | "shapes" | "anchors" | "slots"]: readonly Vec4[];
+} & { readonly [name in "materials" | "lights" | "planes" | "hugeSpheres"]: readonly Row[] } & {
+  readonly bytes: number;
+};
+
+const STRUCTS: Readonly<Record<string, { readonly bytes: number; readonly fields: Readonly<Record<string, string>> }>> =
+  {
+    Material: MATERIAL,
+    Light: LIGHT,
+    Unbounded: UNBOUNDED,
+    Factors: FACTORS,
+    Texture: TEXTURE,
+  };

@@ -17,7 +17,7 @@ function f32(values: readonly number[]): unknown[] {
 
 test("the environment comes first", () => {
   const scene = { ...sceneOf([]), environment: { radiance: [0.1, 2, 30] as const } };
-  expect(unpack(compile(scene)).environment).toEqual(f32([0.1, 2, 30, 0]));
+  expect(unpack(compile(scene)).environment).toEqual([f32([0.1, 2, 30, 0])]);
 });
 
 describe("materials", () => {
