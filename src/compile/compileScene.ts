@@ -42,7 +42,7 @@ export function compileScene(
     geometry,
     settings,
   );
-  const textures = features.TEXTURES ? scene.textures : {}; // nobody may use them
+  const textures = features.TEXTURES ? scene.textures : undefined; // nobody may use them
   const unrolling = unrollingOf(primitives, geometry);
   const tables = tablesOf(primitives, lights, unrolling, geometry, environment, textures);
   const parts = { primitives, lights, unrolling, features, tables, geometry };

@@ -41,7 +41,6 @@ export function emitScene(
   packed: () => { readonly members: readonly Member[]; readonly isStored: boolean },
 ): string {
   const shapes = emitShapes(primitives, lights, unrolling, geometry, values, blocks);
-  const hasTextures = tables.textures.length > 0;
   const lightChoice = emitLightChoice(lights, features, values);
   const { members, isStored } = packed();
 
@@ -64,7 +63,7 @@ ${shapes}
 fn environment() -> vec3f {
   return scene.environment[0].rgb;
 }
-${hasTextures ? TEXTURE_LOOKUPS : ""}
+${features.TEXTURES ? TEXTURE_LOOKUPS : ""}
 ${emitLookups(tables, values)}
 ${emitLightSamplers(lights, features)}
 ${lightChoice}`;

@@ -9,7 +9,6 @@ import type { Textures } from "../tree/packTexels";
 import { hasManyLights } from "./emitLights";
 import { unboundedRows } from "./emitLoops";
 import { hasHugeBalls, hasRims } from "./features";
-import { factorRows, hasTextures, textureRows } from "./packTextures";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
 
@@ -24,7 +23,7 @@ export function tablesOf(
   unrolling: Unrolling,
   geometry: Geometry | undefined,
   environment: Rgb,
-  textures: Textures,
+  textures: Textures | undefined,
 ) {
   const isMany = hasManyLights(lights);
   return {
@@ -35,8 +34,12 @@ export function tablesOf(
     lights: lightRows(primitives, lights, geometry),
     ...lightBoundRows(isMany ? lights : [], primitives),
     unbounded: unboundedRows(unrolling, primitives),
-    factors: hasTextures(textures) ? factorRows(primitives, textures) : [],
-    textures: textureRows(textures),
+    ofTextures:
+      textures &&
+      geometry?.textureTables(
+        textures,
+        primitives.map(({ material }) => material),
+      ),
   };
 }
 

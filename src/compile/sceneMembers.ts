@@ -16,7 +16,7 @@ export type Member = {
 
 /** All but the slots, which come last. */
 export function sceneMembers(tables: Tables, { loops }: Unrolling): Member[] {
-  const { lightBounds, lightFronts, primitiveBounds } = tables;
+  const { lightBounds, lightFronts, primitiveBounds, ofTextures } = tables;
   return [
     vec4s("environment", [[...tables.environment, 0]]),
     structs("materials", "Material", MATERIAL, tables.materials),
@@ -34,10 +34,10 @@ export function sceneMembers(tables: Tables, { loops }: Unrolling): Member[] {
         ]
       : []),
     ...loops.map(({ table: { table } }, i) => structs(table, "Unbounded", UNBOUNDED, tables.unbounded[i]!)),
-    ...(tables.textures.length > 0
+    ...(ofTextures
       ? [
-          structs("factors", "Factors", FACTORS, tables.factors),
-          structs("textures", "Texture", TEXTURE, tables.textures),
+          structs("factors", "Factors", FACTORS, ofTextures.factors),
+          structs("textures", "Texture", TEXTURE, ofTextures.textures),
         ]
       : []),
   ];

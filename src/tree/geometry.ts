@@ -14,6 +14,7 @@ import { packItems } from "./packItems";
 import { type MeshLight, packMeshLights } from "./packMeshLights";
 import { haveSameTexels, type Textures, texelParts } from "./packTexels";
 import { packTree } from "./packTree";
+import { textureTables } from "./textureTables";
 import { treeShapesOf } from "./treeShapes";
 
 // Triangles in a leaf of the tree, at most. The shader was as quick with 4 for 1,000 triangles, and 10 % slower for 100,000.
@@ -41,6 +42,8 @@ export type Geometry = {
   readonly emitting: readonly number[];
   readonly lights: ReadonlyMap<number, MeshLight>;
   readonly textures: Textures;
+  /** What packs those, because only a scene of meshes has some. */
+  readonly textureTables: typeof textureTables;
   /** `slotOf[item]`: where it lies in the tree's leaves. Items are the triangles of all meshes, then `treeShapes`. */
   readonly slotOf: Uint32Array;
   readonly treeShapes: readonly BoundedPrimitive[];
@@ -97,7 +100,7 @@ export async function prepareGeometry(
   const texels = texelParts(textures);
   const data = { nodes: packTree(bvh), ...packItems(parts, treeShapes, slotOf, texels !== undefined), texels };
   const { depth } = bvh;
-  return withLights({ origin, parts, treeShapes, shapes, textures, slotOf, depth, data }, emitting);
+  return withLights({ origin, parts, treeShapes, shapes, textures, textureTables, slotOf, depth, data }, emitting);
 }
 
 function meshesOf(scene: ResolvedScene): { object: MeshObject; id: number }[] {

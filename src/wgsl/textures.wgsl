@@ -9,7 +9,7 @@ import package::scene::{factorsOf, textureOf};
 @if(TEXTURES)
 @group(0) @binding(10) var<storage, read> texels: array<u32>;
 
-// One texture, packed by compile/packTextures.ts.
+// One texture, packed by tree/textureTables.ts.
 struct Texture {
   // Width, height, index of the first texel.
   place: vec3u,
@@ -23,7 +23,7 @@ struct Texture {
 const WRAP_REPEAT = 0u;
 const WRAP_MIRROR = 1u;
 
-// What the textures of a primitive multiply, and which they are: NONE for none. Packed by compile/packTextures.ts.
+// What the textures of a primitive multiply, and which they are: NONE for none. Packed by tree/textureTables.ts.
 struct Factors {
   baseColor: vec3f,
   metallic: f32,

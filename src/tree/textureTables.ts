@@ -1,16 +1,25 @@
 import type { ResolvedMaterial } from "../scene/schema";
-import type { Textures } from "../tree/packTexels";
-import type { StructValue } from "./defineStruct";
-import type { FACTORS, TEXTURE } from "./layouts";
-import type { Primitive } from "./primitives";
+import type { Textures } from "./packTexels";
 
 const NO_TEXTURE = 0xffffffff;
 
 /** Ways to wrap, by their number in `wgsl/textures.wgsl`. */
 export const WRAPS = { repeat: 0, mirror: 1, clamp: 2 } as const;
 
+/** A material, or `"black"`: the body of a light. */
+type Surface = ResolvedMaterial | "black";
+
+/**
+ * What the shader looks up of textures: `factors` by primitive, and `textures` by number.
+ *
+ * @param materials - by primitive.
+ */
+export function textureTables(textures: Textures, materials: readonly Surface[]) {
+  return { factors: factorRows(textures, materials), textures: textureRows(textures) };
+}
+
 /** The textures, as the shader's table wants them; in the order of their texels. */
-export function textureRows(textures: Textures): StructValue<typeof TEXTURE.fields>[] {
+function textureRows(textures: Textures) {
   let next = 0;
   return Object.values(textures).map(({ width, height, wrapU, wrapV, filter }) => {
     const first = next;
@@ -25,10 +34,10 @@ export function textureRows(textures: Textures): StructValue<typeof TEXTURE.fiel
 }
 
 /** What textures multiply, by primitive. Primitives of one material share a row. */
-export function factorRows(primitives: readonly Primitive[], textures: Textures): StructValue<typeof FACTORS.fields>[] {
+function factorRows(textures: Textures, materials: readonly Surface[]) {
   const numbers = new Map(Object.keys(textures).map((name, number) => [name, number]));
   const numberOf = (name: string | undefined) => (name === undefined ? NO_TEXTURE : numbers.get(name)!);
-  const rowOf = (material: Primitive["material"]) => {
+  const rowOf = (material: Surface) => {
     const { baseColor, metallic, roughness, normalScale, ...names } = material === "black" ? BLACK : material;
     return {
       baseColor,
@@ -41,8 +50,8 @@ export function factorRows(primitives: readonly Primitive[], textures: Textures)
       normalTexture: numberOf(names.normalTexture),
     };
   };
-  const rows = new Map<Primitive["material"], ReturnType<typeof rowOf>>();
-  return primitives.map(({ material }) => {
+  const rows = new Map<Surface, ReturnType<typeof rowOf>>();
+  return materials.map((material) => {
     const row = rows.get(material) ?? rowOf(material);
     rows.set(material, row);
     return row;
@@ -53,7 +62,3 @@ const BLACK: Pick<
   ResolvedMaterial,
   "baseColor" | "metallic" | "roughness" | "normalScale" | (`${string}Texture` & keyof ResolvedMaterial)
 > = { baseColor: [0, 0, 0], metallic: 0, roughness: 1, normalScale: 1 };
-
-export function hasTextures(textures: Textures): boolean {
-  return Object.keys(textures).length > 0;
-}
