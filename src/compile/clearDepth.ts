@@ -2,8 +2,8 @@ import type { Ball } from "../lights/light";
 import { add, cross, dot, length, scale, subtract } from "../math/vec3";
 import type { Flat } from "../shapes/shape";
 import { hullOf, kindOf, reachAlong, type Shape } from "../shapes/shapes";
+import { isInView } from "./emitterWindow";
 import type { Frustum } from "./frustum";
-import { isInView } from "./lampWindow";
 
 // A little less than what is clear, for f32 may round up.
 const MARGIN = 1 - 2 ** -10;

@@ -5,8 +5,8 @@ import type { Shape } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
 import { Blockers } from "./blockers";
 import { emitScene, type SceneParts } from "./emitScene";
+import { type Emitter, emittersOf } from "./emitterWindow";
 import { deriveFeatures, describeFeatures, type Features, type ProgramSettings } from "./features";
-import { type Lamp, lampsOf } from "./lampWindow";
 import { lightsOfScene } from "./lights";
 import { tablesOf } from "./packScene";
 import { isEmissive, primitivesOf } from "./primitives";
@@ -53,7 +53,7 @@ export function compileScene(
     members: sceneMembers(tables, unrolling),
     description: describeFeatures(primitives, lights, features),
     shapes: primitives.map(({ shape }) => shape),
-    lamps: lampsOf(primitives.filter(isEmissive).map(({ shape }) => shape)),
+    emitters: emittersOf(primitives.filter(isEmissive).map(({ shape }) => shape)),
     lightCount: lights.length,
     blockers: new Blockers(primitives, lights),
   });
@@ -68,7 +68,7 @@ type Shared = SceneParts & {
   readonly members: readonly Member[];
   readonly description: readonly string[];
   readonly shapes: readonly Shape[];
-  readonly lamps: readonly Lamp[];
+  readonly emitters: readonly Emitter[];
   readonly lightCount: number;
   readonly blockers: Blockers;
 };
@@ -86,7 +86,7 @@ export class CompiledScene {
   /** What rays can hit, relative to `origin`, in units. */
   readonly shapes: readonly Shape[];
   /** What holds those of them that emit. */
-  readonly lamps: readonly Lamp[];
+  readonly emitters: readonly Emitter[];
   /** What light sampling chooses among. */
   readonly lightCount: number;
   /** The scene's point that is the shader's origin; subtract it from the camera's position. */
@@ -112,7 +112,7 @@ export class CompiledScene {
     this.features = shared.features;
     this.description = [...shared.description, blocking ? "values as constants" : "values in a buffer"];
     this.shapes = shared.shapes;
-    this.lamps = shared.lamps;
+    this.emitters = shared.emitters;
     this.lightCount = shared.lightCount;
     this.origin = shared.origin;
     this.unit = shared.unit;

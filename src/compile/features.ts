@@ -49,7 +49,7 @@ export function deriveFeatures(
     ...lobeFeatures(materials),
     EMISSION: primitives.some(isEmissive),
     EMISSIVE_BALLS: primitives.some((primitive) => isEmissive(primitive) && familyOf(primitive.shape) === "ball"),
-    LAMPS: primitives.some(isEmissive) && settings.estimator === "path",
+    VISIBLE_EMITTERS: primitives.some(isEmissive) && settings.estimator === "path",
     LIGHTS: lights.length > 0,
     // Some light has parts to choose from.
     LIGHT_PICKS: geometry !== undefined && geometry.lights.size > 0,

@@ -70,8 +70,8 @@ export const FRAME = defineStruct({
   maxBounces: "u32",
   lightSamples: "u32",
   near: "f32",
-  lampsFrom: "vec2u",
-  lampsTo: "vec2u",
+  emittersFrom: "vec2u",
+  emittersTo: "vec2u",
 });
 
 /** How the film is shown: `View` in `wgsl/blit.wgsl`. */

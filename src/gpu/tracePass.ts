@@ -19,10 +19,10 @@ const FRAME_STRIDE = 256;
 // Workgroups in one row of a dispatch: any number up to maxComputeWorkgroupsPerDimension.
 const MAX_ROW = 16384;
 
-/** The entry points of a tracer; `lamps` where the scene has any. */
+/** The entry points of a tracer; `emitters` where the scene has any. */
 export type TracePipelines = {
   readonly trace: GPUComputePipeline;
-  readonly lamps: GPUComputePipeline | undefined;
+  readonly emitters: GPUComputePipeline | undefined;
   /** The part of their bind group that a scene's geometry fills. */
   readonly geometry: readonly GPUBindGroupLayoutEntry[];
 };
@@ -35,11 +35,11 @@ export async function createTracePipelines(
 ): Promise<TracePipelines> {
   const geometry = geometryLayout(features);
   const layout = await checked(device, () => createTraceLayout(device, isStored, geometry));
-  const [trace, lamps] = await Promise.all([
+  const [trace, emitters] = await Promise.all([
     createComputePipeline(device, "trace", wgsl, "trace", layout),
-    features.LAMPS ? createComputePipeline(device, "lamps", wgsl, "traceLamps", layout) : undefined,
+    features.VISIBLE_EMITTERS ? createComputePipeline(device, "emitters", wgsl, "traceEmitters", layout) : undefined,
   ]);
-  return { trace, lamps, geometry };
+  return { trace, emitters, geometry };
 }
 
 /** Bindings: frame, scene, film, counters, carries, geometry. Not every program reads the scene uniform. */
@@ -121,8 +121,8 @@ export class TracePass {
     for (const [i, frame] of frames.entries()) {
       pass.setBindGroup(0, this.#bindGroup, [i * FRAME_STRIDE]);
       dispatch(pass, this.#pipelines.trace, frame);
-      const seesLamps = frame.lampsTo[0]! > frame.lampsFrom[0]!;
-      if (this.#pipelines.lamps && seesLamps) dispatch(pass, this.#pipelines.lamps, frame);
+      const seesEmitters = frame.emittersTo[0]! > frame.emittersFrom[0]!;
+      if (this.#pipelines.emitters && seesEmitters) dispatch(pass, this.#pipelines.emitters, frame);
     }
     pass.end();
   }

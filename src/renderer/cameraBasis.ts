@@ -1,6 +1,6 @@
 import { clearDepth } from "../compile/clearDepth";
-import type { Lamp } from "../compile/lampWindow";
-import { lampWindow, shareOf } from "../compile/lampWindow";
+import type { Emitter } from "../compile/emitterWindow";
+import { emitterWindow, shareOf } from "../compile/emitterWindow";
 import { add, cross, normalize, scale, subtract } from "../math/vec3";
 import type { ResolvedCamera, Vec3 } from "../scene/schema";
 import type { Shape } from "../shapes/shapes";
@@ -37,19 +37,19 @@ export function rayStart(basis: CameraBasis, shapes: readonly Shape[]): CameraBa
   return { ...basis, origin: add(basis.origin, scale(basis.forward, near)), near };
 }
 
-// A lamp that fills more of the picture than this has too few edges in it to pay for looking at all of it more often.
-const MAX_LAMP_SHARE = 0.25;
+// An emitter that fills more of the picture than this has too few edges in it to pay for looking at all of it more often.
+const MAX_EMITTER_SHARE = 0.25;
 
-/** The pixels, from the first to before the second, in which lamps are looked for by rays of their own. */
-export function lampPixels(lamps: readonly Lamp[], basis: CameraBasis, width: number, height: number) {
-  const window = lampWindow(lamps, basis);
+/** The pixels, from the first to before the second, in which emitters are looked for by rays of their own. */
+export function emitterPixels(emitters: readonly Emitter[], basis: CameraBasis, width: number, height: number) {
+  const window = emitterWindow(emitters, basis);
   const share = shareOf(window);
-  if (share === 0 || share > MAX_LAMP_SHARE) return { lampsFrom: [0, 0], lampsTo: [0, 0] };
+  if (share === 0 || share > MAX_EMITTER_SHARE) return { emittersFrom: [0, 0], emittersTo: [0, 0] };
   const [left, bottom, right, top] = window;
   const column = (x: number) => ((x + 1) / 2) * width;
   const row = (y: number) => ((1 - y) / 2) * height;
   return {
-    lampsFrom: [Math.floor(column(left)), Math.floor(row(top))],
-    lampsTo: [Math.ceil(column(right)), Math.ceil(row(bottom))],
+    emittersFrom: [Math.floor(column(left)), Math.floor(row(top))],
+    emittersTo: [Math.ceil(column(right)), Math.ceil(row(bottom))],
   };
 }

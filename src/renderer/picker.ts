@@ -108,6 +108,6 @@ const ONE_PIXEL = {
   seed: 0,
   maxBounces: 0,
   lightSamples: 1,
-  lampsFrom: [0, 0],
-  lampsTo: [0, 0],
+  emittersFrom: [0, 0],
+  emittersTo: [0, 0],
 } as const;

@@ -1,5 +1,5 @@
 import type { FrameUniforms } from "../gpu/tracePass";
-import { cameraBasis, lampPixels, rayStart } from "./cameraBasis";
+import { cameraBasis, emitterPixels, rayStart } from "./cameraBasis";
 import type { InstalledScene } from "./installation";
 import type { Slice } from "./schedule";
 import type { Settings } from "./settings";
@@ -15,12 +15,12 @@ export function sharedUniforms(
   height: number,
 ): SharedUniforms {
   const { seed, lightSamples, maxBounces = scene.maxBounces } = settings;
-  const { origin, unit, shapes, lamps } = compiled;
+  const { origin, unit, shapes, emitters } = compiled;
   const basis = cameraBasis(camera, origin, width / height, unit);
   const start = rayStart(basis, shapes);
   return {
     ...start,
-    ...lampPixels(lamps, basis, width, height),
+    ...emitterPixels(emitters, basis, width, height),
     size: [width, height],
     seed,
     maxBounces,

@@ -2,8 +2,8 @@
 // whatever the decisions before it were.
 
 const PIXEL = 0u;
-// Of the rays that look for lamps.
-const LAMP_PIXEL = 0x80000000u;
+// Of the rays that look for emitters.
+const EMITTER_PIXEL = 0x80000000u;
 const LIGHT = 1u;
 // Added to the dimension of LIGHT: which part of a light of many parts.
 const LIGHT_PICK = 0x20000000u;

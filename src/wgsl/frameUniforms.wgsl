@@ -26,8 +26,8 @@ struct FrameUniforms {
   // Distance of `origin` from the camera in image planes. Nothing in view lies closer: see compile/clearDepth.ts.
   near: f32,
   // Outside of these pixels, from the first to before the second, the camera sees no emitter.
-  lampsFrom: vec2u,
-  lampsTo: vec2u,
+  emittersFrom: vec2u,
+  emittersTo: vec2u,
 }
 
 @group(0) @binding(0) var<uniform> frame: FrameUniforms;

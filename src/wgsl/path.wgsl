@@ -7,7 +7,7 @@ import package::camera::cameraRay;
 import package::constants::{NEAR2, NONE};
 import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::basis::{toLocal, toWorld};
-import package::lamps::inLampWindow;
+import package::emitters::inEmitterWindow;
 import package::lights::light::{lightShareOf, sampleLight, lightPick};
 import package::minMax::{greater, lesser};
 import package::ray::makeRay;
@@ -26,8 +26,8 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   var beta = vec3f(1.0);
   var ray = cameraRay(pixel, point(samples, PIXEL));
   // Density of ray.d, per steradian; 0 for directions that light sampling cannot find too. Negative where rays of their own
-  // look for what emits: see lamps.wgsl.
-  var pdf = select(0.0, -1.0, inLampWindow(pixel));
+  // look for what emits: see emitters.wgsl.
+  var pdf = select(0.0, -1.0, inEmitterWindow(pixel));
   // Where the ray started, and the weight of all lights there.
   @if(MANY_LIGHTS) var last: Surface;
   @if(MANY_LIGHTS) var totalWeight = 1.0;

@@ -1,7 +1,7 @@
 // Traces sampleCount paths per pixel and adds them to one half of the film.
 import package::estimator::Li;
 import package::film::{FilmPixel, filmAdd};
-import package::lamps::{inLampWindow, lampLight};
+import package::emitters::{inEmitterWindow, emitterLight};
 import package::sampler::makeSampler;
 import package::slice::slicePixel;
 import package::frameUniforms::{frame, rayCount};
@@ -41,20 +41,20 @@ fn trace(
   if (badSamples > 0u) { atomicAdd(&counters.badSamples, badSamples); }
 }
 
-// Adds what the same paths leave out: see lamps.wgsl. Where paths have been dropped, which is a bug anyway, lamps come out
+// Adds what the same paths leave out: see emitters.wgsl. Where paths have been dropped, which is a bug anyway, emitters come out
 // that much too bright.
-@if(LAMPS)
+@if(VISIBLE_EMITTERS)
 @compute @workgroup_size(8, 8)
-fn traceLamps(
+fn traceEmitters(
   @builtin(workgroup_id) group: vec3u,
   @builtin(num_workgroups) groups: vec3u,
   @builtin(local_invocation_index) lane: u32,
 ) {
   let pixel = slicePixel(group, groups, lane);
-  if (!inLampWindow(pixel)) { return; }
+  if (!inEmitterWindow(pixel)) { return; }
   var sum = vec3f(0.0);
   for (var i = 0u; i < frame.sampleCount; i++) {
-    sum += lampLight(pixel, makeSampler(pixel, frame.half, frame.seed, frame.firstSample + i));
+    sum += emitterLight(pixel, makeSampler(pixel, frame.half, frame.seed, frame.firstSample + i));
   }
   addToFilm(pixel, vec4f(sum, 0.0));
 }

@@ -116,7 +116,7 @@ describe("the shader contains only what the scene needs", () => {
 });
 
 test.each([
-  { estimator: "path", lamps: 1, entryPoints: ["trace", "traceLamps"] },
+  { estimator: "path", lamps: 1, entryPoints: ["trace", "traceEmitters"] },
   { estimator: "path", lamps: 0, entryPoints: ["trace"] },
   { estimator: "uniform", lamps: 1, entryPoints: ["trace"] },
 ] as const)("with $lamps lamps, $estimator is plain WGSL with the entry points $entryPoints", async (program) => {

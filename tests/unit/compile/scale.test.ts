@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { type CompiledScene, compileScene } from "../../../src/compile/compileScene";
-import { cameraBasis, lampPixels, rayStart } from "../../../src/renderer/cameraBasis";
+import { cameraBasis, emitterPixels, rayStart } from "../../../src/renderer/cameraBasis";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Light, ResolvedScene, Scene, SceneObject, Vec3 } from "../../../src/scene/schema";
 import { type Geometry, prepareGeometry } from "../../../src/tree/geometry";
@@ -132,11 +132,11 @@ describe("the largest crowds", { timeout: 60_000 }, () => {
 
   test("as many sphere lights do not when a camera looks at them", async () => {
     const crowd = await prepared(CROWDS["sphere lights"]!(130_000));
-    const { shapes, lamps, origin } = compile(crowd);
+    const { shapes, emitters, origin } = compile(crowd);
     const basis = cameraBasis(crowd.scene.camera, origin, 1);
     expect(rayStart(basis, shapes).near).toBeGreaterThan(40);
-    const { lampsFrom, lampsTo } = lampPixels(lamps, basis, 100, 100);
-    expect(lampsTo[0]! - lampsFrom[0]!).toBeGreaterThan(10);
+    const { emittersFrom, emittersTo } = emitterPixels(emitters, basis, 100, 100);
+    expect(emittersTo[0]! - emittersFrom[0]!).toBeGreaterThan(10);
   });
 });
 

@@ -10,17 +10,17 @@ export type Window = readonly [left: number, bottom: number, right: number, top:
 const NOTHING: Window = [1, 1, -1, -1];
 const EVERYTHING: Window = [-1, -1, 1, 1];
 
-// A window around each of more lamps than these, for every movement of the camera, would take more time than it saves.
-const MOST_LAMPS = 64;
+// A window around each of more emitters than these, for every movement of the camera, would take more time than it saves.
+const MOST_EMITTERS = 64;
 
 /** What holds a visible emitter; undefined for an infinite one. */
-export type Lamp = Hull | undefined;
+export type Emitter = Hull | undefined;
 
 /** What holds the shapes that the camera may see emit, each for itself or, of many, together. */
-export function lampsOf(shapes: readonly Shape[]): readonly Lamp[] {
+export function emittersOf(shapes: readonly Shape[]): readonly Emitter[] {
   const hulls = shapes.map(hullOf);
   if (hulls.includes(undefined)) return [undefined];
-  return hulls.length <= MOST_LAMPS ? hulls : [boxAround(shapes)];
+  return hulls.length <= MOST_EMITTERS ? hulls : [boxAround(shapes)];
 }
 
 function boxAround(shapes: readonly Shape[]): Hull {
@@ -33,8 +33,8 @@ function boxAround(shapes: readonly Shape[]): Hull {
 }
 
 /** A part of the image outside of which the camera sees none of the shapes. */
-export function lampWindow(lamps: readonly Lamp[], view: Frustum): Window {
-  return lamps.map((lamp) => windowOf(lamp, view)).reduce(union, NOTHING);
+export function emitterWindow(emitters: readonly Emitter[], view: Frustum): Window {
+  return emitters.map((emitter) => windowOf(emitter, view)).reduce(union, NOTHING);
 }
 
 /** Whether a view may show some of what a hull holds. */
@@ -48,15 +48,15 @@ export function shareOf([left, bottom, right, top]: Window): number {
   return (Math.max(right - left, 0) * Math.max(top - bottom, 0)) / 4;
 }
 
-function windowOf(lamp: Lamp, view: Frustum): Window {
-  if (lamp === undefined) return EVERYTHING;
-  if ("ball" in lamp) {
-    const { center, radius } = lamp.ball;
+function windowOf(emitter: Emitter, view: Frustum): Window {
+  if (emitter === undefined) return EVERYTHING;
+  if ("ball" in emitter) {
+    const { center, radius } = emitter.ball;
     const [left, right] = ballRange(center, radius, view, view.right);
     const [bottom, top] = ballRange(center, radius, view, view.up);
     return clip([left, bottom, right, top]);
   }
-  const points = lamp.points.map((point) => subtract(point, view.origin));
+  const points = emitter.points.map((point) => subtract(point, view.origin));
   // What reaches behind the camera may be anywhere in its image.
   if (points.some((point) => dot(point, view.forward) <= 0)) return EVERYTHING;
   const [xs, ys] = [view.right, view.up].map((axis) => points.map((point) => tangent(point, view, axis)));

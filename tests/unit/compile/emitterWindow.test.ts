@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
+import { type Emitter, emittersOf, emitterWindow, shareOf, type Window } from "../../../src/compile/emitterWindow";
 import type { Frustum } from "../../../src/compile/frustum";
-import { type Lamp, lampsOf, lampWindow, shareOf, type Window } from "../../../src/compile/lampWindow";
 import { add, cross, dot, normalize, scale, subtract } from "../../../src/math/vec3";
 import type { Vec3 } from "../../../src/scene/schema";
 import { hullOf, type Shape } from "../../../src/shapes/shapes";
@@ -19,7 +19,7 @@ function randomView(): Frustum {
   return { origin: triple(8), forward, right: scale(side, halfWidth), up: scale(cross(side, forward), halfHeight) };
 }
 
-const LAMPS: Readonly<Record<string, () => { shape: Shape; point: () => Vec3 }>> = {
+const VISIBLE_EMITTERS: Readonly<Record<string, () => { shape: Shape; point: () => Vec3 }>> = {
   sphere: () => {
     const [center, radius] = [triple(5), 0.1 + 2 * random()];
     return {
@@ -57,13 +57,13 @@ function project(point: Vec3, { origin, forward, right, up }: Frustum): [number,
 const contains = ([left, bottom, right, top]: Window, [x, y]: [number, number]) =>
   x >= left - 1e-9 && x <= right + 1e-9 && y >= bottom - 1e-9 && y <= top + 1e-9;
 
-describe.each(Object.keys(LAMPS))("the window of a %s, seed 21", (kind) => {
+describe.each(Object.keys(VISIBLE_EMITTERS))("the window of a %s, seed 21", (kind) => {
   test("holds every point of it that is in view", () => {
     let seen = 0;
     for (let i = 0; i < VIEWS; i++) {
-      const { shape, point } = LAMPS[kind]!();
+      const { shape, point } = VISIBLE_EMITTERS[kind]!();
       const view = randomView();
-      const window = lampWindow(lampsOf([shape]), view);
+      const window = emitterWindow(emittersOf([shape]), view);
       const points = Array.from({ length: POINTS }, () => project(point(), view)).filter((p) => p !== undefined);
       seen += points.length;
       expect(points.every((p) => contains(window, p))).toBe(true);
@@ -76,35 +76,35 @@ const PLANE: Shape = { kind: "plane", point: [0, 0, 0], normal: [0, 1, 0], axis:
 const FRONT: Frustum = { origin: [0, 0, 10], forward: [0, 0, -1], right: [0.5, 0, 0], up: [0, 0.5, 0] };
 
 test("a ball's window ends at its tangents", () => {
-  const [, , right] = lampWindow([{ ball: { center: [0, 0, 0], radius: 1 } }], FRONT);
+  const [, , right] = emitterWindow([{ ball: { center: [0, 0, 0], radius: 1 } }], FRONT);
   expect(right).toBeCloseTo(Math.tan(Math.asin(1 / 10)) / 0.5, 12);
 });
 
 test("several lamps share the window around all of them", () => {
-  const lamps = [-1, 1].map((x): Lamp => ({ ball: { center: [2 * x, 0, 0], radius: 0.5 } }));
-  const [left, bottom, right, top] = lampWindow(lamps, FRONT);
+  const lamps = [-1, 1].map((x): Emitter => ({ ball: { center: [2 * x, 0, 0], radius: 0.5 } }));
+  const [left, bottom, right, top] = emitterWindow(lamps, FRONT);
   expect(left).toBeCloseTo(-right, 12);
   expect(right).toBeGreaterThan(2.5 / 5);
   expect(top - bottom).toBeLessThan(0.25);
 });
 
 test("what is behind the camera or beside the image has no window, a plane the whole image", () => {
-  const ball = (center: Vec3): Lamp => ({ ball: { center, radius: 1 } });
-  expect(shareOf(lampWindow([ball([0, 0, 20])], FRONT))).toBe(0);
-  expect(shareOf(lampWindow([ball([30, 0, 0])], FRONT))).toBe(0);
-  expect(shareOf(lampWindow([], FRONT))).toBe(0);
-  expect(shareOf(lampWindow(lampsOf([PLANE]), FRONT))).toBe(1);
+  const ball = (center: Vec3): Emitter => ({ ball: { center, radius: 1 } });
+  expect(shareOf(emitterWindow([ball([0, 0, 20])], FRONT))).toBe(0);
+  expect(shareOf(emitterWindow([ball([30, 0, 0])], FRONT))).toBe(0);
+  expect(shareOf(emitterWindow([], FRONT))).toBe(0);
+  expect(shareOf(emitterWindow(emittersOf([PLANE]), FRONT))).toBe(1);
 });
 
 test("of many lamps the box around them is looked at, whose window holds each one's", () => {
   const many = Array.from({ length: 1000 }, (): Shape => ({ kind: "sphere", center: triple(2), radius: 0.1 }));
-  expect(lampsOf(many)).toMatchObject([{ points: { length: 8 } }]);
-  const [left, bottom, right, top] = lampWindow(lampsOf(many), FRONT);
-  const exact = lampWindow(many.map(hullOf), FRONT);
+  expect(emittersOf(many)).toMatchObject([{ points: { length: 8 } }]);
+  const [left, bottom, right, top] = emitterWindow(emittersOf(many), FRONT);
+  const exact = emitterWindow(many.map(hullOf), FRONT);
   expect(exact.map((edge, i) => (i < 2 ? edge >= [left, bottom][i]! : edge <= [right, top][i - 2]!))).not.toContain(
     false,
   );
   expect(shareOf([left, bottom, right, top])).toBeLessThan(2 * shareOf(exact));
-  expect(lampsOf([...many, PLANE])).toEqual([undefined]);
-  expect(lampsOf(many.slice(0, 10))).toEqual(many.slice(0, 10).map(hullOf));
+  expect(emittersOf([...many, PLANE])).toEqual([undefined]);
+  expect(emittersOf(many.slice(0, 10))).toEqual(many.slice(0, 10).map(hullOf));
 });

@@ -1,34 +1,34 @@
 // Light that arrives in a pixel straight from emitters, by rays of its own that go no further.
 //
-// Nothing in a picture is as noisy as the edge of a lamp, which is far brighter than all around it, and no other noise costs
+// Nothing in a picture is as noisy as the edge of an emitter, which is far brighter than all around it, and no other noise costs
 // as little to remove: in the window where the camera may see an emitter, paths leave this light out, and more rays than
 // paths look for it. Splitting as in [1].
 //
 // [1] Arvo, Kirk 1990, "Particle Transport and Image Synthesis", section 5
 import package::camera::cameraRay;
 import package::constants::NONE;
-import package::dimensions::LAMP_PIXEL;
+import package::dimensions::EMITTER_PIXEL;
 import package::sampler::{Sampler, point, subsample};
 import package::scene::closestHit;
 import package::surface::surfaceAt;
 import package::frameUniforms::{countRay, frame};
 
 // Rays per path.
-const LAMP_RAYS = 8u;
+const EMITTER_RAYS = 8u;
 
-// Whether the pixel lies in the lamps' window, and so leaves them to lampLight().
-fn inLampWindow(pixel: vec2u) -> bool {
-  return all(pixel >= frame.lampsFrom) & all(pixel < frame.lampsTo);
+// Whether the pixel lies in the emitters' window, and so leaves them to emitterLight().
+fn inEmitterWindow(pixel: vec2u) -> bool {
+  return all(pixel >= frame.emittersFrom) & all(pixel < frame.emittersTo);
 }
 
-@if(LAMPS)
-fn lampLight(pixel: vec2u, samples: Sampler) -> vec3f {
+@if(VISIBLE_EMITTERS)
+fn emitterLight(pixel: vec2u, samples: Sampler) -> vec3f {
   var sum = vec3f(0.0);
-  for (var i = 0u; i < LAMP_RAYS; i++) {
-    let ray = cameraRay(pixel, point(subsample(samples, i, LAMP_RAYS), LAMP_PIXEL));
+  for (var i = 0u; i < EMITTER_RAYS; i++) {
+    let ray = cameraRay(pixel, point(subsample(samples, i, EMITTER_RAYS), EMITTER_PIXEL));
     let hit = closestHit(ray);
     countRay();
     if (hit.id != NONE) { sum += surfaceAt(ray, hit).Le; }
   }
-  return sum / f32(LAMP_RAYS);
+  return sum / f32(EMITTER_RAYS);
 }
