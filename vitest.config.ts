@@ -13,6 +13,7 @@ export default defineConfig({
     projects: [
       // The demo imports the package by its name.
       project("unit", {
+        testTimeout: 30_000, // what takes a second takes ten where other work has the cores
         alias: [{ find: /^rt-viewer$/, replacement: fileURLToPath(new URL("src/index.ts", import.meta.url)) }],
       }),
       project("shaders"),
