@@ -13,7 +13,7 @@ export const MATERIAL = defineStruct({
   multiscatter: "f32",
 });
 
-/** One emitter: `Light` in `wgsl/lights.wgsl`. */
+/** One light: `Light` in `lights/light.wgsl`. */
 export const LIGHT = defineStruct({
   position: "vec3f",
   size: "f32",
@@ -52,7 +52,7 @@ export const TEXTURE = defineStruct({
   nearest: "u32",
 });
 
-/** What changes from dispatch to dispatch: `FrameUniforms` in `wgsl/uniforms.wgsl`. */
+/** What changes from dispatch to dispatch: `FrameUniforms` in `wgsl/frameUniforms.wgsl`. */
 export const FRAME = defineStruct({
   origin: "vec3f",
   sampleCount: "u32",

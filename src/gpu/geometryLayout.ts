@@ -12,7 +12,7 @@ type Binding = {
   readonly row?: number;
 };
 
-/** As `wgsl/tree.wgsl`, `mesh.wgsl`, `meshLights.wgsl` and `textures.wgsl` declare them. */
+/** As `wgsl/tree.wgsl`, `wgsl/textures.wgsl`, `shapes/mesh.wgsl` and `lights/mesh.wgsl` declare them. */
 export const GEOMETRY_BINDINGS: Readonly<Record<GeometryPart, Binding>> = {
   nodes: { binding: 5, feature: "TREE", row: 4096 * 2 },
   items: { binding: 6, feature: "TREE", row: 2048 * 3 },

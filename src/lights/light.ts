@@ -5,7 +5,7 @@ import type { ResolvedObject, Rgb, Vec3 } from "../scene/schema";
 /** What holds something. */
 export type Ball = { readonly center: Vec3; readonly radius: number };
 
-/** Something that emits and that next-event estimation samples; `Light` in `wgsl/lights.wgsl`. */
+/** Something that emits and that next-event estimation samples; `Light` in `light.wgsl`. */
 export type Light = {
   /** How it is sampled: a name in `lights.ts`. */
   readonly kind: string;
@@ -16,9 +16,10 @@ export type Light = {
   readonly position: Vec3;
   /** Radius of a sphere, area of a quad, triangle or mesh; 0 for a point. */
   readonly size: number;
+  /** Of a quad or triangle; what another kind's shader module makes of them. */
   readonly edge1: Vec3;
   readonly edge2: Vec3;
-  /** Of the side that a flat light shines to, unit; zero of other kinds. */
+  /** Of the side that a flat light shines to, unit; zero of other kinds, or what theirs make of it. */
   readonly normal: Vec3;
   /** Radiance; intensity of what has no area. */
   readonly radiance: Rgb;
@@ -26,9 +27,9 @@ export type Light = {
   readonly primitive: number | undefined;
   /** Intensity along the normal, or in all directions: what the choice of a light goes by. */
   readonly strength: number;
-  /** The side that a flat primitive shines to; undefined where light leaves in all directions, as from a box's faces together. */
+  /** The side that it shines to, unit; undefined where light leaves in all directions, as from a box's faces together. */
   readonly front: Vec3 | undefined;
-  /** Around all lights of the primitive. */
+  /** Around all lights of the primitive, which share this object; their strengths are in proportion to their sizes. */
   readonly bound: Ball;
 };
 

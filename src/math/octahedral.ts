@@ -3,7 +3,7 @@ export const NO_NORMAL = 0x80008000;
 
 /**
  * Unit vectors as two snorm16 each on an octahedron folded flat, to within 7·10⁻⁵ rad (Cigolle et al. 2014, "A Survey of
- * Efficient Representations for Independent Unit Vectors", JCGT 3(2)). `octahedral` in `wgsl/mesh.wgsl` reads them.
+ * Efficient Representations for Independent Unit Vectors", JCGT 3(2)). `octahedral` in `shapes/mesh.wgsl` reads them.
  *
  * @param vectors - x, y, z each, of any length; zero becomes `NO_NORMAL`.
  */

@@ -66,7 +66,7 @@ export type ShapeKind<O, S> = {
    * allocates nothing, because it runs for every shape of a scene whenever the camera moves.
    */
   readonly reachAlong: (shape: S, direction: Vec3, from: Vec3) => number;
-  /** Undefined without bounds. */
+  /** Reaches as far as the shape in every direction; undefined without bounds. */
   readonly hull: (shape: S) => Hull | undefined;
   /** A plane that holds all of it, if it is flat. */
   readonly plane: (shape: S) => Flat | undefined;
@@ -74,7 +74,8 @@ export type ShapeKind<O, S> = {
   readonly meeting: (shape: S) => "bounded" | "loop" | "none";
   /**
    * Its row in `scene.shapes`. Unit normal and 0: flat. Centre and radius > 0: a ball. Last -1: a solid, whose normal depends on
-   * the point, or a mesh.
+   * the point, or a mesh. Points that rays find are put back onto what is flat and onto balls, not onto solids; and of a solid the ray
+   * meets the outside where it comes against the normal.
    */
   readonly row: (shape: S) => Vec4;
   /**

@@ -20,7 +20,7 @@ import { treeShapesOf } from "./treeShapes";
 // Triangles in a leaf of the tree, at most. The shader was as quick with 4 for 1,000 triangles, and 10 % slower for 100,000.
 const MAX_LEAF = 2;
 
-/** What `wgsl/tree.wgsl`, `mesh.wgsl`, `meshLights.wgsl` and `textures.wgsl` read. */
+/** What `wgsl/tree.wgsl`, `wgsl/textures.wgsl`, `shapes/mesh.wgsl` and `lights/mesh.wgsl` read. */
 export type GeometryData = {
   readonly nodes: ArrayBuffer;
   readonly items: ArrayBuffer;

@@ -17,7 +17,7 @@ export type PackedItems = {
 };
 
 /**
- * The items of the tree as `wgsl/tree.wgsl` and `wgsl/mesh.wgsl` read them, by slot. An item is 48 bytes: three f32, the
+ * The items of the tree as `wgsl/tree.wgsl` and `shapes/mesh.wgsl` read them, by slot. An item is 48 bytes: three f32, the
  * primitive's id, three f32, the kind, four f32. A triangle's vertices are in lexicographic order, as f32 keeps them: triangles
  * that share an edge then agree on its direction, whatever their own.
  *

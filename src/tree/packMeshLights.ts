@@ -8,7 +8,7 @@ const ENTRY_WORDS = 4;
 export type MeshLight = NonNullable<Triangles["light"]>;
 
 /**
- * The triangles of meshes that emit, as `wgsl/meshLights.wgsl` chooses among them: per entry the probability to keep its turn, its
+ * The triangles of meshes that emit, as `lights/mesh.wgsl` chooses among them: per entry the probability to keep its turn, its
  * slot, and the slot that has the turn otherwise; 16 bytes.
  *
  * @returns the table, undefined if it is empty; and the light of each mesh that has an area, by id.

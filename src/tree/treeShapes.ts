@@ -1,6 +1,7 @@
 // Which shapes go into the tree of a scene that has too many to unroll them all.
 
 import type { ResolvedScene } from "../scene/schema";
+import { ITEMS } from "../shapes/shapes";
 import { type BoundedPrimitive, boundedShapesOf, MAX_UNROLLED } from "./boundedShapes";
 import { boundsOfShape } from "./boundsOfShape";
 
@@ -10,8 +11,8 @@ const LARGE_SHARE = 1 / 10;
 // Kinds of so few shapes are not worth the test that every item of the tree would need: with its one lamp unrolled, the room
 // took 234 ms.
 const FEW = 4;
-// As many large shapes as few ones of all four kinds leave room for.
-const MOST_LARGE = MAX_UNROLLED - 4 * FEW;
+// As many large shapes as few ones of all kinds leave room for.
+const MOST_LARGE = MAX_UNROLLED - ITEMS.length * FEW;
 
 /** The bounded shapes that are not unrolled: none of up to `MAX_UNROLLED`; of more, all but the large ones and rare kinds. */
 export function treeShapesOf(scene: ResolvedScene): BoundedPrimitive[] {

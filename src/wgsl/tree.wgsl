@@ -14,9 +14,9 @@ import package::ray::{Hit, Ray, between, nearer};
 import package::scene::{PRIMITIVES, STACK_SIZE, itemIntersect};
 import package::shapes::triangle::shearOf;
 
-// Two texels each, rows of 4096 nodes; see compile/packTree.ts. Written by the renderer when the geometry changes.
+// Two texels each, rows of 4096 nodes; see tree/packTree.ts. Written by the renderer when the geometry changes.
 @group(0) @binding(5) var nodes: texture_2d<u32>;
-// Three texels each, rows of 2048 slots; see compile/packItems.ts. Written by the renderer when the geometry changes.
+// Three texels each, rows of 2048 slots; see tree/packItems.ts. Written by the renderer when the geometry changes.
 @group(0) @binding(6) var items: texture_2d<u32>;
 
 // Three vectors and a number, as the file of its kind packs them; of a triangle of a mesh its vertices, in the order of

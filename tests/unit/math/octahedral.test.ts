@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { NO_NORMAL, packDirections } from "../../../src/math/octahedral";
 import { createRandom, randomDirection } from "../../support/random";
 
-/** As `octahedral` in `wgsl/mesh.wgsl`. */
+/** As `octahedral` in `shapes/mesh.wgsl`. */
 function unpack(word: number): number[] {
   const [x, y] = [(word << 16) >> 16, word >> 16].map((part) => Math.max(part / 32767, -1)) as [number, number];
   const z = 1 - Math.abs(x) - Math.abs(y);
