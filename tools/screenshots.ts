@@ -36,7 +36,7 @@ const SCREENSHOTS: readonly Screenshot[] = [
   },
 ];
 
-/** `npm run screenshots [-- NAME…]`: the pictures in the README, of the demo as built, on the software adapter. */
+/** `npm run screenshots [-- NAME…]`: the pictures in the README and docs, of the demo as built, on the software adapter. */
 export async function main(names: string[]): Promise<void> {
   await mkdir(FOLDER, { recursive: true });
   await visitDemo(async (browser, url) => {

@@ -1,5 +1,6 @@
 import { dot, length, scale, subtract } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
+import { cornersBetween } from "../shapes/cornersBetween";
 import type { Hull } from "../shapes/shape";
 import { hullOf, reachAlong, type Shape } from "../shapes/shapes";
 import type { Frustum } from "./frustum";
@@ -26,10 +27,8 @@ export function emittersOf(shapes: readonly Shape[]): readonly Emitter[] {
 function boxAround(shapes: readonly Shape[]): Hull {
   const reach = (x: number, y: number, z: number) =>
     shapes.reduce((most, shape) => Math.max(most, reachAlong(shape, [x, y, z], [0, 0, 0])), Number.NEGATIVE_INFINITY);
-  const xs = [-reach(-1, 0, 0), reach(1, 0, 0)];
-  const ys = [-reach(0, -1, 0), reach(0, 1, 0)];
-  const zs = [-reach(0, 0, -1), reach(0, 0, 1)];
-  return { points: xs.flatMap((x) => ys.flatMap((y) => zs.map((z): Vec3 => [x, y, z]))) };
+  const lower: Vec3 = [-reach(-1, 0, 0), -reach(0, -1, 0), -reach(0, 0, -1)];
+  return { points: cornersBetween(lower, [reach(1, 0, 0), reach(0, 1, 0), reach(0, 0, 1)]) };
 }
 
 /** A part of the image outside of which the camera sees none of the shapes. */

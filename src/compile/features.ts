@@ -1,5 +1,5 @@
 import type { Light } from "../lights/light";
-import { describeLobes, lobeFeatures } from "../lobes/lobes";
+import { LOBE_WORDS, lobeFeatures } from "../lobes/lobes";
 import { TEXTURE_FIELDS, type TextureField } from "../scene/schema";
 import { hullOf, kindOf, type Shape } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
@@ -58,6 +58,7 @@ export function deriveFeatures(
     FLAT_LIGHTS: lights.some(({ front }) => front !== undefined),
     ENVIRONMENT: hasEnvironment,
     SOBOL: settings.sampler === "sobol",
+    INDEPENDENT: settings.sampler === "independent",
     UNIFORM: settings.estimator === "uniform",
     MANY_LIGHT_SAMPLES: settings.lightSamples > 1,
   };
@@ -90,20 +91,32 @@ export function describeFeatures(
   lights: readonly Light[],
   features: Features,
 ): string[] {
-  const shapes = new Map<string, number>();
-  for (const { shape } of primitives) shapes.set(shape.kind, (shapes.get(shape.kind) ?? 0) + 1);
-  const lightCounts = new Map<string, number>();
-  for (const { kind } of lights) lightCounts.set(kind, (lightCounts.get(kind) ?? 0) + 1);
-  const counted = (count: number, what: string) => (count === 1 ? what : `${count} × ${what}`);
   return [
-    ...[...shapes].map(([kind, count]) => counted(count, kind)),
-    ...describeLobes(features),
-    ...(features.SMOOTH ? ["smooth normals"] : []),
-    ...(features.TEXTURES ? ["textures"] : []),
-    ...[...lightCounts].map(([kind, count]) => counted(count, `${kind} light`)),
-    ...(features.ENVIRONMENT ? ["environment"] : []),
-    features.SOBOL ? "Sobol points" : "independent points",
-    ...(features.UNIFORM ? ["uniform estimator"] : []),
-    ...(features.MANY_LIGHT_SAMPLES ? ["many light samples"] : []),
+    ...counted(primitives.map(({ shape }) => shape.kind)),
+    ...wordsOf(SURFACE_WORDS, features),
+    ...counted(lights.map(({ kind }) => `${kind} light`)),
+    ...wordsOf(SETTING_WORDS, features),
   ];
+}
+
+type Words = { readonly [F in keyof Features]?: string };
+
+const SURFACE_WORDS: Words = { ...LOBE_WORDS, SMOOTH: "smooth normals", TEXTURES: "textures" };
+const SETTING_WORDS: Words = {
+  ENVIRONMENT: "environment",
+  SOBOL: "Sobol points",
+  INDEPENDENT: "independent points",
+  UNIFORM: "uniform estimator",
+  MANY_LIGHT_SAMPLES: "many light samples",
+};
+
+function wordsOf(words: Words, features: Features): string[] {
+  return Object.entries(words).flatMap(([feature, word]) => (features[feature as keyof Features] ? [word] : []));
+}
+
+/** Each once, with its number. */
+function counted(names: readonly string[]): string[] {
+  const counts = new Map<string, number>();
+  for (const name of names) counts.set(name, (counts.get(name) ?? 0) + 1);
+  return Array.from(counts, ([name, count]) => (count === 1 ? name : `${count} × ${name}`));
 }

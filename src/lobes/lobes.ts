@@ -40,17 +40,15 @@ export function lobeFeatures(materials: readonly ResolvedMaterial[]) {
   };
 }
 
-/** The features in words. */
-export function describeLobes(features: ReturnType<typeof lobeFeatures>): string[] {
-  return [
-    ...(features.DIFFUSE ? ["diffuse"] : []),
-    ...(features.ROUGH ? ["GGX"] : []),
-    ...(features.MIRROR ? ["mirror"] : []),
-    ...(features.SMITH ? ["Smith masking"] : []),
-    ...(features.SCHLICK_BECKMANN ? ["Schlick–Beckmann masking"] : []),
-    ...(features.MULTISCATTER ? ["multiple scattering"] : []),
-  ];
-}
+/** What they are called. */
+export const LOBE_WORDS = {
+  DIFFUSE: "diffuse",
+  ROUGH: "GGX",
+  MIRROR: "mirror",
+  SMITH: "Smith masking",
+  SCHLICK_BECKMANN: "Schlick–Beckmann masking",
+  MULTISCATTER: "multiple scattering",
+} as const satisfies { readonly [F in keyof ReturnType<typeof lobeFeatures>]?: string };
 
 /** What the table of materials holds of its lobes: see `Material` in `wgsl/surface.wgsl`. */
 export function reflectance(material: ResolvedMaterial | "black") {

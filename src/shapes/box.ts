@@ -2,6 +2,7 @@ import { flatLight } from "../lights/light";
 import { add, length, scale, subtract } from "../math/vec3";
 import type { ResolvedObject, Vec3 } from "../scene/schema";
 import { along } from "./along";
+import { cornersBetween } from "./cornersBetween";
 import type { ShapeKind } from "./shape";
 
 export type Box = {
@@ -12,7 +13,7 @@ export type Box = {
   readonly turn: number | undefined;
 };
 
-const CORNERS = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z): Vec3 => [x, y, z])));
+const CORNERS = cornersBetween([-1, -1, -1], [1, 1, 1]);
 
 function cornersOf({ center, halfSize, turn = 0 }: Box): Vec3[] {
   const [c, s] = [Math.cos(turn), Math.sin(turn)];

@@ -1,6 +1,7 @@
 import { ALL_ROUND, sum } from "../lights/light";
 import { add, length, scale, subtract } from "../math/vec3";
 import type { ResolvedObject, Vec3 } from "../scene/schema";
+import { cornersBetween } from "./cornersBetween";
 import type { ShapeKind, Triangles } from "./shape";
 import { TRIANGLE_DISTANCE } from "./triangle";
 
@@ -22,10 +23,7 @@ export const mesh: ShapeKind<ResolvedObject & { type: "mesh" }, Mesh> = {
     }
     return most;
   },
-  hull: ({ lower, upper }) => {
-    const bounds = [lower, upper];
-    return { points: bounds.flatMap(([x]) => bounds.flatMap(([, y]) => bounds.map(([, , z]): Vec3 => [x, y, z]))) };
-  },
+  hull: ({ lower, upper }) => ({ points: cornersBetween(lower, upper) }),
   plane: () => undefined,
   meeting: () => "none",
   row: () => [0, 0, 0, -1],
