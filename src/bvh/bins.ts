@@ -63,7 +63,11 @@ export function findBinnedSplit(
 // A little less than 1, so that the highest centroid is in the last bin, not behind it.
 const LAST_BIN = 1 - 2 ** -40;
 
-/** The lesser of two whole numbers, without a branch. */
+/**
+ * The lesser of two whole numbers, without a branch. Where it is taken for every primitive, here and in sweep.ts, it is written
+ * out: as calls of this function, which V8 then no longer inlines, building a tree over a million triangles takes 5.5 s
+ * instead of 1.5.
+ */
 function lesser(a: number, b: number): number {
   const difference = (a - b) | 0;
   return b + (difference & (difference >> 31));

@@ -56,7 +56,7 @@ export function sweep(
     let f = LARGEST;
     for (let i = count - 1; i > 0; i--) {
       const at = base + 8 * sorted[row + i]!;
-      difference = (words[at]! - a) | 0;
+      difference = (words[at]! - a) | 0; // see lesser() in bins.ts
       a += difference & (difference >> 31);
       difference = (words[at + 1]! - b) | 0;
       b += difference & (difference >> 31);

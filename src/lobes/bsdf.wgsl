@@ -32,6 +32,20 @@ struct Bsdf {
   gain: vec3f,
 }
 
+struct BsdfValue {
+  // f·cos
+  f: vec3f,
+  // Density of bsdfSample, per steradian.
+  pdf: f32,
+}
+
+// The same of the microfacets' lobe, without its Fresnel term.
+struct GlossyValue {
+  // D·G·cosI / (4·cosO·cosI)
+  f: f32,
+  pdf: f32,
+}
+
 struct BsdfSample {
   wi: vec3f,
   // f·|cos| / pdf; 0 when no direction could be sampled, and the path stops.
@@ -56,28 +70,29 @@ fn specularShare(bsdf: Bsdf, cosO: f32) -> f32 {
   }
 }
 
-// f·cos in rgb and the density of bsdfSample in a, mirrors aside.
-fn bsdfEval(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> vec4f {
-  @if(!SPECULAR) return vec4f(bsdf.diffuse, 1.0) * (greater(wi.z, 0.0) * INV_PI);
+// Mirrors aside, whose density is a delta.
+fn bsdfEval(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> BsdfValue {
+  let lambert = greater(wi.z, 0.0) * INV_PI;
+  @if(!SPECULAR) return BsdfValue(bsdf.diffuse * lambert, lambert);
   @if(SPECULAR) {
     let wm = normalize(wo + wi);
     let w = schlickWeight(dot(wo, wm));
-    let lambert = greater(wi.z, 0.0) * INV_PI;
-    var value = vec4f(0.0);
+    var value: BsdfValue;
     @if(DIFFUSE) {
-      value = vec4f(
-        bsdf.diffuse * ((1.0 - bsdf.f0 - (bsdf.f90 - bsdf.f0) * w) * lambert),
-        (1.0 - bsdf.specularShare) * lambert,
-      );
+      value.f = bsdf.diffuse * ((1.0 - bsdf.f0 - (bsdf.f90 - bsdf.f0) * w) * lambert);
+      value.pdf = (1.0 - bsdf.specularShare) * lambert;
     }
     @if(ROUGH) {
       let glossy = glossyEval(bsdf, wo, wi, wm);
       var F = bsdf.F0 + (bsdf.f90 - bsdf.F0) * w;
       @if(MULTISCATTER) F *= bsdf.gain;
-      @if(MIRROR) value += select(vec4f(0.0), vec4f(F * glossy.x, bsdf.specularShare * glossy.y), bsdf.alpha > 0.0);
-      @if(!MIRROR) value += vec4f(F * glossy.x, bsdf.specularShare * glossy.y);
+      var isRough = true;
+      @if(MIRROR) isRough = bsdf.alpha > 0.0;
+      value.f += select(vec3f(0.0), F * glossy.f, isRough);
+      value.pdf += select(0.0, bsdf.specularShare * glossy.pdf, isRough);
     }
-    return select(vec4f(0.0), value, (wo.z > LEAST_COSINE) & (wi.z > LEAST_COSINE));
+    let isAbove = (wo.z > LEAST_COSINE) & (wi.z > LEAST_COSINE);
+    return BsdfValue(select(vec3f(0.0), value.f, isAbove), select(0.0, value.pdf, isAbove));
   }
 }
 
@@ -106,16 +121,15 @@ fn bsdfExpect(bsdf: Bsdf, wo: vec3f, wi: vec3f, size: f32) -> f32 {
   }
 }
 
-// D·G·cosI / (4·cosO·cosI) and the density of the lobe.
 @if(ROUGH)
-fn glossyEval(bsdf: Bsdf, wo: vec3f, wi: vec3f, wm: vec3f) -> vec2f {
+fn glossyEval(bsdf: Bsdf, wo: vec3f, wi: vec3f, wm: vec3f) -> GlossyValue {
   let D = ggxD(wm, bsdf.alpha);
   @if(SMITH) let smith = ggxVisibility(wo.z, wi.z, bsdf.alpha);
   @if(SCHLICK_BECKMANN) let schlick = schlickBeckmannVisibility(wo.z, wi.z, bsdf.alpha);
   @if(SMITH && !SCHLICK_BECKMANN) let visibility = smith;
   @if(!SMITH && SCHLICK_BECKMANN) let visibility = schlick;
   @if(SMITH && SCHLICK_BECKMANN) let visibility = select(smith, schlick, bsdf.schlickBeckmann > 0.0);
-  return vec2f(D * visibility * wi.z, ggxPdf(wo.z, wm, bsdf.alpha));
+  return GlossyValue(D * visibility * wi.z, ggxPdf(wo.z, wm, bsdf.alpha));
 }
 
 // Draws the lobe with `lobe`, the direction with `u`.
@@ -132,8 +146,8 @@ fn bsdfSample(bsdf: Bsdf, wo: vec3f, u: vec2f, lobe: f32) -> BsdfSample {
     var wi = reflect(-wo, wm);
     @if(DIFFUSE) wi = select(cosineHemisphere(u), wi, specular);
     let value = bsdfEval(bsdf, wo, wi);
-    let possible = wi.z > 0.0 && value.a > 0.0;
-    let sample = BsdfSample(wi, select(vec3f(0.0), value.rgb / select(1.0, value.a, possible), possible), value.a);
+    let possible = wi.z > 0.0 && value.pdf > 0.0;
+    let sample = BsdfSample(wi, select(vec3f(0.0), value.f / select(1.0, value.pdf, possible), possible), value.pdf);
     @if(!MIRROR) return sample;
     @if(MIRROR) {
       if (specular && bsdf.alpha == 0.0) { return mirrorSample(bsdf, wo); }
@@ -157,5 +171,5 @@ fn bsdfSampleUniform(bsdf: Bsdf, wo: vec3f, u: vec2f, lobe: f32) -> BsdfSample {
   let wi = uniformHemisphere(u);
   var pdf = 0.5 * INV_PI;
   @if(MIRROR) pdf *= select(1.0, 1.0 - bsdf.specularShare, bsdf.alpha == 0.0);
-  return BsdfSample(wi, bsdfEval(bsdf, wo, wi).rgb / pdf, pdf);
+  return BsdfSample(wi, bsdfEval(bsdf, wo, wi).f / pdf, pdf);
 }

@@ -1,16 +1,17 @@
 // The baseline estimator, as in the real-time ray tracer this project grew from: uniform hemisphere directions of density
 // 1/2π, light points uniform on the emitter's surface, no multiple importance sampling. Same expectation as path.wgsl.
-import package::lobes::bsdf::{bsdfEval, bsdfSampleUniform};
+import package::basis::{toLocal, toWorld};
 import package::camera::cameraRay;
 import package::constants::NONE;
 import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
-import package::basis::{toLocal, toWorld};
-import package::lights::light::{sampleLight, lightPick};
-import package::ray::makeRay;
-import package::sampler::{Sampler, point, subsample};
-import package::scene::{closestHit, environment, occluded};
-import package::surface::{Surface, surfaceAt};
+import package::directLight::{DirectLight, directLight, unhidden};
 import package::frameUniforms::{countRay, frame};
+import package::lights::light::{lightPick, sampleLight};
+import package::lobes::bsdf::{bsdfEval, bsdfSampleUniform};
+import package::ray::makeRay;
+import package::sampler::{Sampler, point};
+import package::scene::{closestHit, environment};
+import package::surface::{Surface, surfaceAt};
 
 fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   var L = vec3f(0.0);
@@ -29,7 +30,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     @if(EMISSION) L += select(beta * surface.Le, vec3f(0.0), counted && surface.lightPdf > 0.0);
     if (depth >= frame.maxBounces) { break; }
 
-    @if(LIGHTS) L += beta * directLight(surface, samples, dimensionAt(depth, LIGHT));
+    @if(LIGHTS) L += beta * directLight(surface, samples, dimensionAt(depth, LIGHT)).L;
 
     let choice = point(samples, dimensionAt(depth, LOBE));
     let next = bsdfSampleUniform(surface.bsdf, surface.wo, point(samples, dimensionAt(depth, DIRECTION)), choice.x);
@@ -44,23 +45,8 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
 }
 
 @if(LIGHTS)
-fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
-  @if(!MANY_LIGHT_SAMPLES) return oneLight(surface, samples, dimension);
-  @if(MANY_LIGHT_SAMPLES) {
-    var sum = vec3f(0.0);
-    for (var i = 0u; i < frame.lightSamples; i++) {
-      sum += oneLight(surface, subsample(samples, i, frame.lightSamples), dimension);
-    }
-    return sum / f32(frame.lightSamples);
-  }
-}
-
-@if(LIGHTS)
-fn oneLight(surface: Surface, samples: Sampler, dimension: u32) -> vec3f {
+fn oneLight(surface: Surface, samples: Sampler, dimension: u32) -> DirectLight {
   let light = sampleLight(surface, point(samples, dimension), lightPick(samples, dimension));
-  var reflected = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi)).rgb * light.estimate;
-  @if(SHADING_NORMALS) reflected *= select(0.0, 1.0, dot(light.wi, surface.ng) > 0.0);
-  if (all(reflected == vec3f(0.0))) { return vec3f(0.0); }
-  countRay();
-  return select(reflected, vec3f(0.0), occluded(makeRay(surface.p, light.wi, surface.source), light.distance, light.id));
+  let value = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi));
+  return DirectLight(unhidden(surface, light, value.f * light.estimate), light.totalWeight);
 }

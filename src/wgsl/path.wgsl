@@ -2,20 +2,21 @@
 //
 // [1] Veach 1997, "Robust Monte Carlo Methods for Light Transport Simulation", sections 9.2 and 10.2
 // [2] Arvo, Kirk 1990, "Particle Transport and Image Synthesis"
-import package::lobes::bsdf::{bsdfEval, bsdfSample};
+import package::basis::{toLocal, toWorld};
 import package::camera::cameraRay;
 import package::constants::{NEAR2, NONE};
 import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
-import package::basis::{toLocal, toWorld};
+import package::directLight::{DirectLight, directLight, lightSampleCount, unhidden};
 import package::emitters::inEmitterWindow;
-import package::lights::light::{lightShareOf, sampleLight, lightPick};
+import package::frameUniforms::{countRay, frame};
+import package::lights::light::{lightPick, lightShareOf, sampleLight};
+import package::lobes::bsdf::{bsdfEval, bsdfSample};
 import package::minMax::{greater, lesser};
 import package::ray::makeRay;
-import package::sampler::{Sampler, independent, point, subsample};
-import package::scene::{closestHit, environment, occluded};
+import package::sampler::{Sampler, independent, point};
+import package::scene::{closestHit, environment};
 import package::surface::{Surface, surfaceAt};
 import package::surfacePoint::primitiveOf;
-import package::frameUniforms::{countRay, frame};
 
 // Paths shorter than this are never ended at random. [2]
 const ROULETTE_DEPTH = 4u;
@@ -49,9 +50,9 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
 
     @if(LIGHTS) {
       let direct = directLight(surface, samples, dimensionAt(depth, LIGHT));
-      L += beta * direct.rgb;
+      L += beta * direct.L;
       @if(MANY_LIGHTS) last = surface;
-      @if(MANY_LIGHTS) totalWeight = direct.a;
+      @if(MANY_LIGHTS) totalWeight = direct.totalWeight;
     }
 
     var choice = vec2f(0.0);
@@ -70,35 +71,12 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   return L;
 }
 
-// Light that arrives straight from an emitter and is reflected towards the viewer; in a the total weight of the lights.
 @if(LIGHTS)
-fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> vec4f {
-  @if(!MANY_LIGHT_SAMPLES) return oneLight(surface, samples, dimension, 1.0);
-  @if(MANY_LIGHT_SAMPLES) {
-    var sum = vec4f(0.0);
-    for (var i = 0u; i < frame.lightSamples; i++) {
-      sum += oneLight(surface, subsample(samples, i, frame.lightSamples), dimension, lightSampleCount());
-    }
-    return sum / lightSampleCount();
-  }
-}
-
-@if(LIGHTS)
-fn oneLight(surface: Surface, samples: Sampler, dimension: u32, sampleCount: f32) -> vec4f {
+fn oneLight(surface: Surface, samples: Sampler, dimension: u32) -> DirectLight {
   let light = sampleLight(surface, point(samples, dimension), lightPick(samples, dimension));
-  let f = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi));
-  let weight = select(powerHeuristic(sampleCount * light.pdf, f.a), 1.0, light.pdf == 0.0);
-  var reflected = f.rgb * light.estimate * weight;
-  @if(SHADING_NORMALS) reflected *= select(0.0, 1.0, dot(light.wi, surface.ng) > 0.0);
-  if (all(reflected == vec3f(0.0))) { return vec4f(vec3f(0.0), light.totalWeight); }
-  countRay();
-  let hidden = occluded(makeRay(surface.p, light.wi, surface.source), light.distance, light.id);
-  return vec4f(select(reflected, vec3f(0.0), hidden), light.totalWeight);
-}
-
-fn lightSampleCount() -> f32 {
-  @if(MANY_LIGHT_SAMPLES) return f32(frame.lightSamples);
-  @if(!MANY_LIGHT_SAMPLES) return 1.0;
+  let value = bsdfEval(surface.bsdf, surface.wo, toLocal(surface.frame, light.wi));
+  let weight = select(powerHeuristic(lightSampleCount() * light.pdf, value.pdf), 1.0, light.pdf == 0.0);
+  return DirectLight(unhidden(surface, light, value.f * light.estimate * weight), light.totalWeight);
 }
 
 // Weight of a direction drawn with density `pdf` when another technique would have drawn it with density `other`.

@@ -14,7 +14,10 @@ export type BsdfInput = {
 
 /** f·cos and the density of sampling, as `bsdfEval` gives them: four floats per input. */
 export function evaluateBsdf(materials: readonly Material[], inputs: readonly BsdfInput[]): Promise<Float32Array> {
-  return run(materials, inputs, 1, "outputs[i] = bitcast<vec4u>(bsdfEval(bsdfOf(id, wo.z, vec2f(0.0)), wo, x.xyz));");
+  const body = `
+    let value = bsdfEval(bsdfOf(id, wo.z, vec2f(0.0)), wo, x.xyz);
+    outputs[i] = bitcast<vec4u>(vec4f(value.f, value.pdf));`;
+  return run(materials, inputs, 1, body);
 }
 
 /** As `bsdfSample` gives them, eight floats per input: wi, pdf, weight, 0. */
