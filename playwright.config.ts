@@ -31,8 +31,6 @@ export default defineConfig({
   timeout: 45_000,
   expect: { timeout: 15_000 },
   forbidOnly: process.env.CI !== undefined,
-  // Other work may take a shared machine's cores for seconds. A test that passes the second time is reported as flaky.
-  retries: process.env.CI === undefined ? 0 : 1,
   // .ci/run adds up what the reports of vitest and Playwright count.
   reporter: process.env.CI ? [["list"], ["json", { outputFile: "tests/output/playwright.json" }]] : "list",
   use: {

@@ -64,7 +64,7 @@ function emitShape(shape: Shape, id: number, values: Values): EmittedShape {
 }
 
 /** The numbers of the kinds of shapes in a tree. */
-export function itemTags({ treeShapes }: Geometry): ReadonlySet<number> {
+function itemTags({ treeShapes }: Geometry): ReadonlySet<number> {
   return new Set(treeShapes.map(({ shape }) => itemTag(shape)));
 }
 

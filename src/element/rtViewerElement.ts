@@ -141,8 +141,16 @@ export class RtViewerElement extends ReflectedElement {
 
   /** Throws away what has been sampled and starts over. Where a message stands in place of the picture, loads the scene again. */
   reset(): void {
-    if (this.#parts.face.hasMessage) this.#parts.scenes.load();
-    else this.tracer?.reset();
+    const { face, scenes } = this.#parts;
+    if (face.hasMessage) {
+      this.#measure(); // a size that failed may have been mended a moment ago
+      scenes.load();
+    } else this.tracer?.reset();
+  }
+
+  #measure(): void {
+    const { face, stage } = this.#parts;
+    stage.size = canvasSize(currentBox(face.canvas));
   }
 
   /**
@@ -186,7 +194,7 @@ export class RtViewerElement extends ReflectedElement {
     const { signal } = this.#connection;
     const { face, stage, scenes, controls, drop } = this.#parts;
 
-    stage.size = canvasSize(currentBox(face.canvas));
+    this.#measure();
     stage.refresh();
     watchBox(face.canvas, (box) => (stage.size = canvasSize(box)), signal);
     watchVisibility(this, (isVisible) => this.#onVisibility(isVisible), signal);

@@ -36,9 +36,11 @@ test("a strict content security policy is in force, and the element works under 
   page,
   expectedErrors,
 }) => {
+  // Without a style the element is as wide as the page, which has to take four samples of it in time.
+  await page.setViewportSize({ width: 400, height: 300 });
   await openStrictFixture(page);
   const viewer = await addViewer(page, { src: "spheres.json", controls: "", alt: "Three balls" });
-  await waitForSamples(viewer, 1); // of 480,000 pixels
+  await waitForSamples(viewer, 4);
   expect(contrast(await pictureOf(viewer))).toBeGreaterThan(20);
   await page.keyboard.press("Tab");
   await page.keyboard.press("ArrowRight");
