@@ -8,7 +8,11 @@ import { type BuildEnvironmentOptions, defineConfig, type Plugin } from "vite";
  */
 export function leanShaders(): Plugin {
   const lean = {
-    wgsl: (text: string) => text.replaceAll(/\s*\/\/.*$/gm, "").replaceAll(/\n\s+/g, "\n").replaceAll(/([,:]) +/g, "$1"),
+    wgsl: (text: string) =>
+      text
+        .replaceAll(/\s*\/\/.*$/gm, "")
+        .replaceAll(/\n\s+/g, "\n")
+        .replaceAll(/([,:]) +/g, "$1"),
     css: (text: string) =>
       text
         .replaceAll(/\s*\/\*.*?\*\//gs, "")
