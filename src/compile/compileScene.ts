@@ -34,17 +34,10 @@ export function compileScene(
   const { scene, unit } = inSceneUnits(given);
   const primitives = primitivesOf(scene, geometry);
   const lights = lightsOfScene(scene, primitives);
-  const environment = scene.environment.radiance;
-  const features = deriveFeatures(
-    primitives,
-    lights,
-    environment.some((value) => value > 0),
-    geometry,
-    settings,
-  );
-  const textures = features.TEXTURES ? scene.textures : undefined; // nobody may use them
+  const hasEnvironment = scene.environment.radiance.some((value) => value > 0);
+  const features = deriveFeatures(primitives, lights, hasEnvironment, geometry, settings);
   const unrolling = unrollingOf(primitives, geometry);
-  const tables = tablesOf(primitives, lights, unrolling, geometry, environment, textures);
+  const tables = tablesOf(primitives, lights, unrolling, geometry, scene, features);
   const parts = { primitives, lights, unrolling, features, tables, geometry };
   const compiled = new CompiledScene({
     ...parts,

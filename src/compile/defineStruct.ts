@@ -53,6 +53,12 @@ export function defineStruct<const F extends StructFields>(fields: F): StructLay
   };
 }
 
+/** The struct's declaration in WGSL. */
+export function emitStruct<F extends StructFields>(name: string, { fields }: StructLayout<F>): string {
+  const members = Object.entries(fields).map(([field, type]) => `  ${field}: ${type},\n`);
+  return `struct ${name} {\n${members.join("")}}\n`;
+}
+
 function roundUp(value: number, multiple: number): number {
   return Math.ceil(value / multiple) * multiple;
 }

@@ -2,6 +2,7 @@
 // Writes the parts of the shader module `scene` that go through the shapes of a table: planes and huge spheres, of which there are
 // too many to unroll them. No tree can hold them.
 
+import { emitStruct } from "./defineStruct";
 import { UNBOUNDED } from "./layouts";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
@@ -11,11 +12,7 @@ export function emitRowStruct(unrolling: Unrolling): string {
   if (unrolling.loops.length === 0) return "";
   return `
 // A plane: a point on it and its normal. A huge sphere: its foot, and the vector from its centre to there.
-struct Unbounded {
-${Object.entries(UNBOUNDED.fields)
-  .map(([name, type]) => `  ${name}: ${type},\n`)
-  .join("")}}
-`;
+${emitStruct("Unbounded", UNBOUNDED)}`;
 }
 
 /** Statements that put the nearest in `hit`. */

@@ -4,15 +4,16 @@
 
 import type { Light } from "../lights/light";
 import type { Geometry } from "../tree/geometry";
-import type { StructFields, StructLayout } from "./defineStruct";
+import { emitStruct, type StructFields, type StructLayout } from "./defineStruct";
 import { emitLightChoice, emitLightSamplers } from "./emitLights";
+import { emitLobes } from "./emitLobes";
 import { emitRowStruct } from "./emitLoops";
 import { emitShapes } from "./emitShapes";
 import type { Features } from "./features";
-import { LIGHT, MATERIAL } from "./layouts";
+import { LIGHT } from "./layouts";
 import type { Tables } from "./packScene";
 import type { Primitive } from "./primitives";
-import { emitStruct, type Member } from "./sceneMembers";
+import { emitMembers, type Member } from "./sceneMembers";
 import type { Unrolling } from "./unrolling";
 import type { Row, RowType, Values } from "./values";
 
@@ -46,8 +47,10 @@ export function emitScene(
 
   return `
 import package::lights::light::{Light, LightChoice, LightSample, flatLightShare, lightShare};
+import package::lobes::lobe::{BsdfSample, BsdfValue, aboveOnly, directions, uniformSample, weighed};
+import package::minMax::{greater, lesser};
 import package::ray::{Hit, Ray, between, nearer, noHit};
-import package::surface::{Material, Surface};
+import package::surface::Surface;
 import package::textures::{Factors, Texture};
 import package::shapes::triangle::{Shear, shearOf};
 import package::tree::{Item, itemAt, treeClosest, treeOccludes};
@@ -56,7 +59,8 @@ import package::tree::{Item, itemAt, treeClosest, treeOccludes};
 const PRIMITIVES = ${primitives.length}u;
 const STACK_SIZE = ${stackSizeFor(geometry)}u;
 ${emitRowStruct(unrolling)}
-${emitStruct(members)}
+${emitStruct("Material", tables.materials.layout)}
+${emitMembers(members)}
 // Written by the renderer when the scene changes.
 @group(0) @binding(1) var<${isStored ? "storage, read" : "uniform"}> scene: Scene;
 ${shapes}
@@ -65,7 +69,7 @@ fn environment() -> vec3f {
 }
 ${features.TEXTURES ? TEXTURE_LOOKUPS : ""}
 ${emitLookups(tables, values)}
-${emitLightSamplers(lights, features)}
+${emitLobes(features)}${emitLightSamplers(lights, features)}
 ${lightChoice}`;
 }
 
@@ -97,8 +101,8 @@ function emitLookups({ materials, shapes, anchors, lights }: Tables, values: Val
   return [
     lookup("shapeOf", "vec4f", "scene.shapes[i]", shapes, (row) => row),
     lookup("anchorOf", "vec4f", "scene.anchors[i]", anchors, (row) => row),
-    ...fieldsOf(MATERIAL).map(([field, type]) =>
-      lookup(`${field}Of`, type, `scene.materials[i].${field}`, materials, (row) => row[field]),
+    ...fieldsOf(materials.layout).map(([field, type]) =>
+      lookup(`${field}Of`, type, `scene.materials[i].${field}`, materials.rows, (row) => row[field]!),
     ),
     ...fieldsOf(LIGHT).map(([field, type]) =>
       lookup(lightField(field), type, `scene.lights[i].${field}`, lights, (row) => row[field]),

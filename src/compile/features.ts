@@ -76,12 +76,12 @@ function familyOf(shape: Shape): Family {
 }
 
 /** Balls that are better measured from their surface than from their centre. */
-export function hasHugeBalls(primitives: readonly Primitive[]): boolean {
+function hasHugeBalls(primitives: readonly Primitive[]): boolean {
   return primitives.some(({ shape }) => familyOf(shape) === "ball" && kindOf(shape).anchor(shape)[3] > 0);
 }
 
 /** Flat shapes that may meet at an edge. */
-export function hasRims(primitives: readonly Primitive[]): boolean {
+function hasRims(primitives: readonly Primitive[]): boolean {
   return primitives.filter(({ shape }) => familyOf(shape) === "flat" && hullOf(shape) !== undefined).length > 1;
 }
 

@@ -1,18 +1,5 @@
 import { defineStruct } from "./defineStruct";
 
-/** One surface: `Material` in `wgsl/surface.wgsl`. */
-export const MATERIAL = defineStruct({
-  F0: "vec3f",
-  alpha: "f32",
-  diffuse: "vec3f",
-  f0: "f32",
-  emission: "vec3f",
-  lightDensity: "f32",
-  f90: "f32",
-  schlickBeckmann: "f32",
-  multiscatter: "f32",
-});
-
 /** One light: `Light` in `lights/light.wgsl`. */
 export const LIGHT = defineStruct({
   position: "vec3f",

@@ -1,14 +1,13 @@
 import type { Ball, Light } from "../lights/light";
-import { samplerOf, tagOf } from "../lights/lights";
-import { reflectance } from "../lobes/lobes";
-import type { Rgb } from "../scene/schema";
+import { tagOf } from "../lights/lights";
+import type { ResolvedScene } from "../scene/schema";
 import type { Vec4 } from "../shapes/shape";
 import { kindOf } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
-import type { Textures } from "../tree/packTexels";
 import { hasManyLights } from "./emitLights";
 import { unboundedRows } from "./emitLoops";
-import { hasHugeBalls, hasRims } from "./features";
+import type { Features } from "./features";
+import { materialTable } from "./materialTable";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
 
@@ -22,67 +21,30 @@ export function tablesOf(
   lights: readonly Light[],
   unrolling: Unrolling,
   geometry: Geometry | undefined,
-  environment: Rgb,
-  textures: Textures | undefined,
+  { environment, textures }: ResolvedScene,
+  features: Features,
 ) {
   const isMany = hasManyLights(lights);
   return {
-    environment,
-    materials: materialRows(primitives, lights),
+    environment: environment.radiance,
+    materials: materialTable(primitives, lights, features),
     shapes: primitives.map(({ shape }) => kindOf(shape).row(shape)),
-    anchors: anchorRows(primitives),
+    anchors: anchorRows(primitives, features),
     lights: lightRows(primitives, lights, geometry),
     ...lightBoundRows(isMany ? lights : [], primitives),
     unbounded: unboundedRows(unrolling, primitives),
-    ofTextures:
-      textures &&
-      geometry?.textureTables(
-        textures,
-        primitives.map(({ material }) => material),
-      ),
+    ofTextures: features.TEXTURES
+      ? geometry?.textureTables(
+          textures,
+          primitives.map(({ material }) => material),
+        )
+      : undefined, // nobody may use them
   };
 }
 
-/** The surfaces of all primitives, by id. Those of a material that are no lights share a row. */
-function materialRows(primitives: readonly Primitive[], lights: readonly Light[]) {
-  const densities = lightDensities(lights);
-  const dark = new Map<Primitive["material"], ReturnType<typeof materialRow>>();
-  return primitives.map((primitive, id) => {
-    const density = densities.get(id);
-    if (density !== undefined) return materialRow(primitive, density);
-    const row = dark.get(primitive.material) ?? materialRow(primitive, 0);
-    dark.set(primitive.material, row);
-    return row;
-  });
-}
-
-function materialRow({ material, emission }: Primitive, lightDensity: number) {
-  return { ...reflectance(material), emission, lightDensity };
-}
-
-/** By primitive that emits; see `Material` in `wgsl/surface.wgsl`. */
-function lightDensities(lights: readonly Light[]): ReadonlyMap<number, number> {
-  const sums = new Map<number, { weight: number; size: number; isCone: boolean }>();
-  for (const light of lights) {
-    const { primitive, strength, size } = light;
-    if (primitive === undefined) continue;
-    const sum = sums.get(primitive) ?? { weight: 0, size: 0 };
-    const isCone = samplerOf(light).measure === "cone";
-    sums.set(primitive, { weight: sum.weight + strength, size: sum.size + size, isCone });
-  }
-  const isAlone = lights.length === 1;
-  return new Map(
-    Array.from(sums, ([id, { weight, size, isCone }]) => {
-      const share = isAlone ? 1 : weight;
-      return [id, isCone ? share : share / size];
-    }),
-  );
-}
-
-/** One per primitive, or none where the shader reads none: see features. */
-function anchorRows(primitives: readonly Primitive[]): readonly Vec4[] {
-  const isRead = hasRims(primitives) || hasHugeBalls(primitives);
-  return isRead ? primitives.map(({ shape }) => kindOf(shape).anchor(shape)) : [];
+/** One per primitive, or none where the shader reads none. */
+function anchorRows(primitives: readonly Primitive[], { RIMS, HUGE_BALLS }: Features): readonly Vec4[] {
+  return RIMS || HUGE_BALLS ? primitives.map(({ shape }) => kindOf(shape).anchor(shape)) : [];
 }
 
 /** The lights, as the shader's table wants them. */

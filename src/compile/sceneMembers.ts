@@ -1,7 +1,7 @@
 // The layout of `scene`, the buffer that holds a scene's values: its text and its bytes from one list of members.
 
 import { defineStruct, type StructFields, type StructLayout, type StructValue } from "./defineStruct";
-import { FACTORS, LIGHT, MATERIAL, TEXTURE, UNBOUNDED } from "./layouts";
+import { FACTORS, LIGHT, TEXTURE, UNBOUNDED } from "./layouts";
 import type { Tables } from "./packScene";
 import type { Unrolling } from "./unrolling";
 
@@ -19,7 +19,7 @@ export function sceneMembers(tables: Tables, { loops }: Unrolling): Member[] {
   const { lightBounds, lightFronts, primitiveBounds, ofTextures } = tables;
   return [
     vec4s("environment", [[...tables.environment, 0]]),
-    structs("materials", "Material", MATERIAL, tables.materials),
+    structs("materials", "Material", tables.materials.layout, tables.materials.rows),
     // By primitive: see `ShapeKind`.
     vec4s("shapes", tables.shapes),
     vec4s("anchors", tables.anchors),
@@ -48,8 +48,8 @@ export function slotsMember(numbers: readonly number[]): Member {
   return member("slots", "vec4f", numbers.length / 4, new Float32Array(numbers).buffer, VEC4.bytes);
 }
 
-/** The struct's text. */
-export function emitStruct(members: readonly Member[]): string {
+/** The text of the struct `Scene`. */
+export function emitMembers(members: readonly Member[]): string {
   return `struct Scene {\n${members.map(({ name, type, count }) => `  ${name}: array<${type}, ${count}>,\n`).join("")}}\n`;
 }
 

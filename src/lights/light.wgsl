@@ -2,10 +2,9 @@
 // kind.
 import package::basis::toLocal;
 import package::dimensions::LIGHT_PICK;
-import package::lobes::bsdf::bsdfExpect;
 import package::minMax::greater;
 import package::sampler::{Sampler, point};
-import package::scene::{chooseLight, lightAt, lightBoundOf, sampleKind, shapeOf};
+import package::scene::{bsdfExpect, chooseLight, lightAt, lightBoundOf, sampleKind, shapeOf};
 import package::surface::Surface;
 
 // One light, packed by compile/packScene.ts.

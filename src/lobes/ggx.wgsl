@@ -9,7 +9,54 @@
 // [4] Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"
 import package::constants::{LEAST_COMPONENT, PI};
 import package::directions::circle;
+import package::lobes::fresnel::{fresnelShare, luminance, schlickFresnel};
+import package::lobes::lobe::{BsdfValue, Directions, LEAST_COSINE};
 import package::minMax::greater;
+import package::scene::Bsdf;
+
+@if(ROUGH)
+fn ggxShare(bsdf: Bsdf, wo: vec3f) -> f32 {
+  @if(!MIRROR) return fresnelShare(bsdf, wo);
+  @if(MIRROR) return select(0.0, fresnelShare(bsdf, wo), bsdf.alpha > 0.0);
+}
+
+@if(ROUGH)
+fn ggxValue(bsdf: Bsdf, at: Directions) -> BsdfValue {
+  var F = schlickFresnel(bsdf, at.schlick);
+  @if(MULTISCATTER) F *= bsdf.gain;
+  let D = ggxD(at.wm, bsdf.alpha);
+  @if(SMITH) let smith = ggxVisibility(at.wo.z, at.wi.z, bsdf.alpha);
+  @if(SCHLICK_BECKMANN) let schlick = schlickBeckmannVisibility(at.wo.z, at.wi.z, bsdf.alpha);
+  @if(SMITH && !SCHLICK_BECKMANN) let visibility = smith;
+  @if(!SMITH && SCHLICK_BECKMANN) let visibility = schlick;
+  @if(SMITH && SCHLICK_BECKMANN) let visibility = select(smith, schlick, bsdf.schlickBeckmann > 0.0);
+  let value = BsdfValue(F * (D * visibility * at.wi.z), ggxPdf(at.wo.z, at.wm, bsdf.alpha));
+  @if(!MIRROR) return value;
+  @if(MIRROR) return BsdfValue(select(vec3f(0.0), value.f, bsdf.alpha > 0.0), select(0.0, value.pdf, bsdf.alpha > 0.0));
+}
+
+@if(ROUGH)
+fn ggxDirection(bsdf: Bsdf, wo: vec3f, u: vec2f) -> vec3f {
+  return reflect(-wo, ggxSample(wo, bsdf.alpha, u));
+}
+
+// The square of the least width of a lobe that a light is weighed by.
+const LEAST_WIDTH2 = 1e-6;
+
+// wo and wi are opposite, and their half vector has no direction, where the square of their sum is no more than this.
+const OPPOSITE2 = 1e-30;
+
+@if(ROUGH)
+fn ggxExpect(bsdf: Bsdf, wo: vec3f, wi: vec3f, cosI: f32, size: f32) -> f32 {
+  // Microfacets turn by half the angle: the light widens their distribution. The least width keeps weights finite.
+  let alpha = sqrt(greater(bsdf.alpha * bsdf.alpha + 0.25 * size * size, LEAST_WIDTH2));
+  let h = wo + wi;
+  let wm = select(vec3f(0.0, 0.0, 1.0), normalize(h), dot(h, h) > OPPOSITE2);
+  var glossy = ggxD(wm, alpha) * ggxVisibility(greater(wo.z, LEAST_COSINE), cosI, alpha);
+  @if(MIRROR) glossy = select(0.0, glossy, bsdf.alpha > 0.0); // light samples never find a mirror's direction
+  // Even black metal reflects at grazing angles.
+  return greater(luminance(bsdf.F0), 0.01 * bsdf.f90) * glossy;
+}
 
 // Density of microfacet normals, per steradian. [1] eq. 33, with 1 − cos² written as sin² so that it survives alpha → 0
 fn ggxD(wm: vec3f, alpha: f32) -> f32 {

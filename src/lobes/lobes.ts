@@ -1,78 +1,71 @@
-// Lobes of a material: what the shader has to know of them, and when.
+// Every lobe, a line each. To add one: its fields in the material's schema, its file and shader module here, and a line below.
 
-import { add, scale } from "../math/vec3";
-import { dielectricF0 } from "../scene/metals";
-import type { ResolvedMaterial, Rgb } from "../scene/schema";
+import type { ResolvedMaterial, Vec3 } from "../scene/schema";
+import { fresnel } from "./fresnel";
+import { ggx } from "./ggx";
+import { lambert } from "./lambert";
+import type { Column, Lobe, MaterialFeatures, MaterialPart } from "./lobe";
+import { mirror } from "./mirror";
 
-// Microfacets tilted by less than f32 rounds a direction; with a smaller α the square of their density overflows.
-const LEAST_ALPHA = 2 ** -24;
+/** By the names that the shader gives them. The first that a scene has is drawn where no other is; those of one direction come last. */
+const LOBES = { lambert, ggx, mirror } as const satisfies Readonly<Record<string, Lobe>>;
 
-/** Width of the microfacets' distribution; 0 is a perfect mirror. */
-function alphaOf({ roughness }: ResolvedMaterial): number {
-  const alpha = roughness ** 2;
-  return alpha < LEAST_ALPHA ? 0 : alpha;
-}
+const PARTS = { fresnel, ...LOBES } as const satisfies Readonly<Record<string, MaterialPart>>;
 
-/** A dielectric of ior 1 has no interface: it is Lambert only. */
-function hasSpecularLobe({ metallic, ior }: ResolvedMaterial): boolean {
-  return metallic > 0 || ior > 1;
-}
+type Parts = typeof PARTS;
+type FeatureName = { [P in keyof Parts]: keyof Parts[P]["features"] }[keyof Parts];
 
-/** A texture may make a metal less of one. */
-function hasDiffuseLobe({ metallic, metallicRoughnessTexture }: ResolvedMaterial): boolean {
-  return metallic < 1 || metallicRoughnessTexture !== undefined;
-}
+const FEATURES = Object.values(PARTS).flatMap(({ features }: MaterialPart) => Object.entries(features));
+const COLUMNS: readonly (readonly [name: string, column: Column])[] = Object.values(PARTS).flatMap(
+  ({ columns }: MaterialPart) => Object.entries(columns),
+);
+
+/** The body of a light, which reflects nothing. */
+const BLACK: ResolvedMaterial = {
+  baseColor: [0, 0, 0],
+  metallic: 0,
+  roughness: 1,
+  ior: 1,
+  emission: [0, 0, 0],
+  masking: "smith",
+  multiscatter: false,
+  normalScale: 1,
+};
 
 /** Conditions of the shader modules' `@if`s. */
 export function lobeFeatures(materials: readonly ResolvedMaterial[]) {
-  const specular = materials.filter(hasSpecularLobe);
-  const rough = specular.filter((material) => alphaOf(material) > 0);
+  const all = materials.length > 0 ? materials : [BLACK];
+  const named = FEATURES.map(([name, { isIn }]) => [name, all.some(isIn)] as const);
   return {
-    DIFFUSE: materials.length === 0 || materials.some(hasDiffuseLobe),
-    SPECULAR: specular.length > 0,
-    ROUGH: rough.length > 0,
-    MIRROR: specular.some((material) => alphaOf(material) === 0),
-    SMITH: rough.some(({ masking }) => masking === "smith"),
-    SCHLICK_BECKMANN: rough.some(({ masking }) => masking === "schlick-beckmann"),
-    MULTISCATTER: rough.some(({ multiscatter, metallic }) => multiscatter && metallic > 0),
-    // Some surface has both a diffuse and a specular lobe.
-    LOBES: specular.some(hasDiffuseLobe),
+    ...(Object.fromEntries(named) as { readonly [F in FeatureName]: boolean }),
+    // Some surface has several lobes.
+    LOBES: all.some((material) => lobesOf(material).length > 1),
   };
+}
+
+function lobesOf(material: ResolvedMaterial): Lobe[] {
+  return Object.values<Lobe>(LOBES).filter(({ feature, features }) => features[feature]!.isIn(material));
 }
 
 /** What they are called. */
-export const LOBE_WORDS = {
-  DIFFUSE: "diffuse",
-  ROUGH: "GGX",
-  MIRROR: "mirror",
-  SMITH: "Smith masking",
-  SCHLICK_BECKMANN: "Schlick–Beckmann masking",
-  MULTISCATTER: "multiple scattering",
-} as const satisfies { readonly [F in keyof ReturnType<typeof lobeFeatures>]?: string };
+export const LOBE_WORDS = Object.fromEntries(FEATURES.flatMap(([name, { word }]) => (word ? [[name, word]] : []))) as {
+  readonly [F in FeatureName]?: string;
+};
 
-/** What the table of materials holds of its lobes: see `Material` in `wgsl/surface.wgsl`. */
-export function reflectance(material: ResolvedMaterial | "black") {
-  if (material === "black") return BLACK;
-  const { baseColor, metallic, ior, masking, multiscatter } = material;
-  if (!hasSpecularLobe(material)) return { ...BLACK, diffuse: baseColor };
-  const f0 = dielectricF0(ior);
-  return {
-    F0: add(scale([f0, f0, f0], 1 - metallic), scale(baseColor, metallic)),
-    alpha: alphaOf(material),
-    diffuse: scale(baseColor, 1 - metallic),
-    f0,
-    f90: 1,
-    schlickBeckmann: masking === "schlick-beckmann" ? 1 : 0,
-    multiscatter: multiscatter ? metallic : 0,
-  };
+/** Those of a scene. */
+export function lobesIn(features: MaterialFeatures): [name: string, lobe: Lobe][] {
+  return Object.entries<Lobe>(LOBES).filter(([, { feature }]) => features[feature]);
 }
 
-const BLACK = {
-  F0: [0, 0, 0],
-  alpha: 1,
-  diffuse: [0, 0, 0] as Rgb,
-  f0: 0,
-  f90: 0,
-  schlickBeckmann: 0,
-  multiscatter: 0,
-};
+/** The columns of a scene's table of materials. */
+export function columnsIn(features: MaterialFeatures): (readonly [name: string, column: Column])[] {
+  return COLUMNS.filter(([, { when }]) => when(features));
+}
+
+/** A row of those columns. */
+export function rowOf(
+  material: ResolvedMaterial | "black",
+  columns: readonly (readonly [name: string, column: Column])[],
+): Record<string, number | Vec3> {
+  return Object.fromEntries(columns.map(([name, { of }]) => [name, of(material === "black" ? BLACK : material)]));
+}

@@ -7,10 +7,9 @@ import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::directLight::{DirectLight, directLight, unhidden};
 import package::frameUniforms::{countRay, frame};
 import package::lights::light::{lightPick, sampleLight};
-import package::lobes::bsdf::{bsdfEval, bsdfSampleUniform};
 import package::ray::makeRay;
 import package::sampler::{Sampler, point};
-import package::scene::{closestHit, environment};
+import package::scene::{bsdfEval, bsdfSampleUniform, closestHit, environment};
 import package::surface::{Surface, surfaceAt};
 
 fn Li(pixel: vec2u, samples: Sampler) -> vec3f {

@@ -10,11 +10,10 @@ import package::directLight::{DirectLight, directLight, lightSampleCount, unhidd
 import package::emitters::inEmitterWindow;
 import package::frameUniforms::{countRay, frame};
 import package::lights::light::{lightPick, lightShareOf, sampleLight};
-import package::lobes::bsdf::{bsdfEval, bsdfSample};
 import package::minMax::{greater, lesser};
 import package::ray::makeRay;
 import package::sampler::{Sampler, independent, point};
-import package::scene::{closestHit, environment};
+import package::scene::{bsdfEval, bsdfSample, closestHit, environment};
 import package::surface::{Surface, surfaceAt};
 import package::surfacePoint::primitiveOf;
 

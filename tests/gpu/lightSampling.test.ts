@@ -152,13 +152,12 @@ async function sampleLights({ objects = [], lights = [] }: Emitting, points: rea
   const count = points.length * SAMPLES;
   const words = await runProbe({
     wgsl: `
-      import package::lobes::bsdf::Bsdf;
       import package::constants::NONE;
       import package::basis::frameAround;
       import package::lights::light::{lightShareOf, sampleLight, lightPick};
       import package::ray::makeRay;
       import package::sampler::{makeSampler, point};
-      import package::scene::closestHit;
+      import package::scene::{Bsdf, closestHit, seenFrom};
       import package::surface::{Surface, surfaceAt};
       import package::surfacePoint::primitiveOf;
       fn probe(i: u32) {
@@ -168,7 +167,15 @@ async function sampleLights({ objects = [], lights = [] }: Emitting, points: rea
         seen.p = p;
         seen.frame = frameAround(normalize(select(-p, vec3f(0.0, 0.0, 1.0), all(p == vec3f(0.0)))));
         seen.wo = vec3f(sqrt(0.5), 0.0, sqrt(0.5));
-        seen.bsdf = Bsdf(vec3f(0.5), vec3f(0.04), 0.04, 1.0, 0.16, 0.0, 0.3, vec3f(1.0));
+        var grey: Bsdf;
+        @if(DIFFUSE) grey.diffuse = vec3f(0.5);
+        @if(SPECULAR) {
+          grey.F0 = vec3f(0.04);
+          grey.f0 = 0.04;
+          grey.f90 = 1.0;
+          grey.alpha = 0.16;
+        }
+        seen.bsdf = seenFrom(grey, seen.wo);
         let light = sampleLight(seen, point(samples, 1u), lightPick(samples, 0u));
         let row = bitcast<vec4u>(vec4f(light.distance, light.pdf, light.estimate.r, 0.0));
         outputs[2u * i] = vec4u(row.xyz, light.id);

@@ -1,5 +1,7 @@
 import { describe, expect, test } from "vitest";
+import { pointLight, sphere } from "../../src/scene/builders";
 import type { Light, Material, Scene, SceneObject } from "../../src/scene/schema";
+import { compile, sceneOf } from "../support/compiled";
 import { renderSeeds, seedsFrom } from "../support/device";
 import { runProbe } from "../support/probe";
 import { createRandom } from "../support/random";
@@ -108,18 +110,27 @@ test("what a light is expected to give is finite, leaves mirrors out, and is not
     { wi: [0.6, 0, 0.8], size: 0, alpha: 1e-3, diffuse: 0, F0: 0 }, // black metal
     { wi: [0, 0.8, -0.6], size: 0.5, alpha: 0.2, diffuse: 0.5, F0: 0.04 },
   ];
+  const ball = (material: string) => sphere({ center: [0, 0, 0], radius: 1, material });
+  const lamp = pointLight({ position: [0, 3, 0], power: [1, 1, 1] });
+  const { sceneModule, features } = compile(
+    sceneOf([ball("rough"), ball("mirror")], [lamp, lamp], { rough: {}, mirror: { roughness: 0 } }),
+  );
   const words = await runProbe({
     wgsl: `
-      import package::lobes::bsdf::{Bsdf, bsdfExpect};
+      import package::scene::{Bsdf, bsdfExpect};
       fn probe(i: u32) {
         let wi = bitcast<vec4f>(inputs[2u * i]);
         let surface = bitcast<vec4f>(inputs[2u * i + 1u]);
-        let bsdf = Bsdf(vec3f(surface.y), vec3f(surface.z), surface.z, 1.0, surface.x, 0.0, 0.5, vec3f(1.0));
+        var bsdf: Bsdf;
+        bsdf.diffuse = vec3f(surface.y);
+        bsdf.F0 = vec3f(surface.z);
+        bsdf.f90 = 1.0;
+        bsdf.alpha = surface.x;
         let expected = bsdfExpect(bsdf, vec3f(0.6, 0.0, 0.8), wi.xyz, wi.w);
         outputs[i] = vec4u(bitcast<u32>(expected), 0u, 0u, 0u);
       }`,
-    conditions: { DIFFUSE: true, SPECULAR: true, ROUGH: true, MIRROR: true, SMITH: true, MANY_LIGHTS: true },
-    modules: { "./scene.wgsl": "" },
+    conditions: features,
+    modules: { "./scene.wgsl": sceneModule },
     count: cases.length,
     inputs: new Float32Array(cases.flatMap(({ wi, size, alpha, diffuse, F0 }) => [...wi, size, alpha, diffuse, F0, 0])),
     outputRows: cases.length,

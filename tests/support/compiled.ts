@@ -1,9 +1,9 @@
 import { type CompiledScene, compileScene } from "../../src/compile/compileScene";
-import { FACTORS, LIGHT, MATERIAL, TEXTURE, UNBOUNDED } from "../../src/compile/layouts";
+import { FACTORS, LIGHT, TEXTURE } from "../../src/compile/layouts";
 import { linkProgram } from "../../src/compile/linkProgram";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Light, Material, Scene, SceneObject } from "../../src/scene/schema";
-import { parseStruct, readStruct } from "./wgslStruct";
+import { type Field, layOut, parseStruct, readStruct } from "./wgslStruct";
 
 /** A scene of these objects and lights; materials are `lambert` (ior 1) and what `materials` adds. */
 export function sceneOf(
@@ -36,11 +36,11 @@ export function unpack({ sceneModule, uniform }: CompiledScene) {
   let bytes = 0;
   const members = parseStruct(sceneModule, "Scene").map(([name, type]) => {
     const [, element, count] = /^array<(\w+), (\d+)>$/.exec(type)!;
-    const fields = STRUCTS[element!];
-    const stride = fields ? fields.bytes : 16;
+    const fields = element === "vec4f" ? undefined : fieldsOf(element!, sceneModule);
+    const stride = fields ? Math.ceil(layOut(fields).bytes / 16) * 16 : 16;
     const rows = Array.from({ length: Number(count) }, (_, i) => {
       const at = bytes + i * stride;
-      if (fields) return readStruct(view, at, Object.entries(fields.fields));
+      if (fields) return readStruct(view, at, fields);
       return Array.from({ length: 4 }, (_, k) => view.getFloat32(at + 4 * k, true));
     });
     bytes += stride * rows.length;
@@ -57,11 +57,14 @@ type Unpacked = {
   readonly bytes: number;
 };
 
-const STRUCTS: Readonly<Record<string, { readonly bytes: number; readonly fields: Readonly<Record<string, string>> }>> =
-  {
-    Material: MATERIAL,
-    Light: LIGHT,
-    Unbounded: UNBOUNDED,
-    Factors: FACTORS,
-    Texture: TEXTURE,
-  };
+const STRUCTS: Readonly<Record<string, { readonly fields: Readonly<Record<string, string>> }>> = {
+  Light: LIGHT,
+  Factors: FACTORS,
+  Texture: TEXTURE,
+};
+
+/** Of a struct of the shader modules, or of the generated one. */
+function fieldsOf(struct: string, sceneModule: string): Field[] {
+  const known = STRUCTS[struct];
+  return known ? Object.entries(known.fields) : parseStruct(sceneModule, struct);
+}

@@ -92,6 +92,17 @@ test("green is roughness and blue is metal, linear", async () => {
     expect(pixelAt(images[0]!, 0.5, 0.5)[c]).toBeCloseTo(pixelAt(images[1]!, 0.5, 0.5)[c]!, CLOSE);
 });
 
+test.each([0, 0.5, 1])("a mirror, metal by %d, is one with a texture too, seed 1", async (metallic) => {
+  const texture: Texture = { width: 1, height: 1, texels: texel(255, 128, 64) };
+  const mirror: Material = { ior: 1.5, roughness: 0, metallic };
+  const images = [
+    await render(quadScene({ ...mirror, baseColorTexture: "t" }, { t: texture })),
+    await render(quadScene({ ...mirror, baseColor: [1, linear(128), linear(64)] }, {})),
+  ];
+  for (const c of [0, 1, 2])
+    expect(pixelAt(images[0]!, 0.5, 0.5)[c]).toBeCloseTo(pixelAt(images[1]!, 0.5, 0.5)[c]!, CLOSE);
+});
+
 test("emission is the texture's colour, seen and as light on others, seed 1", async () => {
   // The left half of the lamp shines.
   const texture: Texture = {

@@ -167,7 +167,7 @@ test("a scene too large for a uniform is in a storage buffer", () => {
     materials: { white: {} },
     objects: Array.from({ length: count }, (_, i) => sphere({ center: [i, 0, 0], radius: 0.5, material: "white" })),
   });
-  const [small, large] = [compile(balls(600)), compile(balls(700))];
+  const [small, large] = [compile(balls(800)), compile(balls(900))];
   expect(small.uniform.byteLength).toBeLessThanOrEqual(65536);
   expect([small.isStored, large.isStored]).toEqual([false, true]);
   expect(small.sceneModule).toContain("var<uniform> scene");

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { defineStruct, type StructFields } from "../../../src/compile/defineStruct";
-import { FACTORS, FRAME, LIGHT, MATERIAL, TEXTURE, VIEW } from "../../../src/compile/layouts";
+import { FACTORS, FRAME, LIGHT, TEXTURE, VIEW } from "../../../src/compile/layouts";
 import { layOut, parseStruct, readStruct } from "../../support/wgslStruct";
 
 /** Byte offset of every field, as `write` uses them: found by writing one field at a time. */
@@ -61,7 +61,6 @@ test("typed arrays are as good as arrays", () => {
 
 const MIRRORED = [
   ["Factors", "wgsl/textures", FACTORS],
-  ["Material", "wgsl/surface", MATERIAL],
   ["Texture", "wgsl/textures", TEXTURE],
   ["Light", "lights/light", LIGHT],
   ["FrameUniforms", "wgsl/frameUniforms", FRAME],

@@ -91,7 +91,8 @@ describe.each(Object.keys(CROWDS))("%s", { timeout: 60_000 }, (name) => {
       const lengths = [1000, 4000].map(async (count) => {
         const crowd = await prepared(CROWDS[name]!(count));
         const compiled = isResting ? compile(crowd).atRest(crowd.scene.camera) : compile(crowd);
-        return compiled.sceneModule.replaceAll(/-?\d[\d.]*(e-?\d+)?/g, "0").length; // but for digits
+        // But for digits, and the kind of buffer.
+        return compiled.sceneModule.replaceAll(/-?\d[\d.]*(e-?\d+)?/g, "0").replace("storage, read", "uniform").length;
       });
       expect(await lengths[1]).toBe(await lengths[0]);
     }
@@ -120,7 +121,7 @@ describe("the largest crowds", { timeout: 60_000 }, () => {
   test("thirty-two thousand spheres in three materials are compiled, at rest too", async () => {
     const crowd = await prepared(CROWDS["spheres in three materials"]!(32_768));
     const compiled = compile(crowd).atRest(crowd.scene.camera);
-    expect(compiled.sceneModule.length).toBeLessThan(5000);
+    expect(compiled.sceneModule.length).toBeLessThan(6000);
     expect(compiled.shapes).toHaveLength(32_768);
   });
 

@@ -1,0 +1,35 @@
+// Lambert's law, under an interface or without one.
+//
+// Directions are unit, in the local frame (z = n, on wo's side). wo points to the viewer, wi to the light.
+import package::constants::INV_PI;
+import package::directions::cosineHemisphere;
+import package::lobes::fresnel::{luminance, schlickWeight};
+import package::lobes::lobe::{BsdfSample, BsdfValue, Directions};
+import package::minMax::greater;
+import package::scene::Bsdf;
+
+@if(SPECULAR)
+fn lambertShare(bsdf: Bsdf, wo: vec3f) -> f32 {
+  return luminance(bsdf.diffuse) * transmittance(bsdf, schlickWeight(wo.z));
+}
+
+fn lambertValue(bsdf: Bsdf, at: Directions) -> BsdfValue {
+  let pdf = greater(at.wi.z, 0.0) * INV_PI;
+  @if(!SPECULAR) return BsdfValue(bsdf.diffuse * pdf, pdf);
+  @if(SPECULAR) return BsdfValue(bsdf.diffuse * (transmittance(bsdf, at.schlick) * pdf), pdf);
+}
+
+fn lambertSample(bsdf: Bsdf, u: vec2f) -> BsdfSample {
+  let wi = cosineHemisphere(u);
+  return BsdfSample(wi, bsdf.diffuse, wi.z * INV_PI);
+}
+
+fn lambertExpect(bsdf: Bsdf) -> f32 {
+  return luminance(bsdf.diffuse) * INV_PI;
+}
+
+// What the interface lets through, by Schlick's weight.
+@if(SPECULAR)
+fn transmittance(bsdf: Bsdf, schlick: f32) -> f32 {
+  return 1.0 - bsdf.f0 - (bsdf.f90 - bsdf.f0) * schlick;
+}
