@@ -47,7 +47,7 @@ const modules: BuildEnvironmentOptions = {
   },
   rollupOptions: {
     external: [
-      /^(@gltf-transform\/(core|extensions)|meshoptimizer|tweakpane|valibot|wesl|wgpu-matrix)(\/|$)/,
+      /^(@gltf-transform\/(core|extensions)|meshoptimizer|tweakpane|valibot|wgpu-matrix)(\/|$)/,
       // Its decoder is external; the WebAssembly beside it comes with the package, so that no bundler has to find it.
       /^draco3dgltf\/.*\.js$/,
     ],

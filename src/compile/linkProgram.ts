@@ -1,59 +1,68 @@
-import { link } from "wesl/core";
 import type { Features } from "./features";
+import { type Conditions, link, parseModule, type ShaderModule } from "./link";
 
-type Modules = Readonly<Record<string, string>>;
-
-/** The shader modules that every page needs, by their path from `src`, as text. */
-const MODULES = named(
-  import.meta.glob<string>(
-    [
-      "../{wgsl,shapes,lights,lobes}/*.wgsl",
-      "!../shapes/mesh.wgsl",
-      "!../lights/mesh.wgsl",
-      "!../lobes/multiscatter.wgsl",
-      "!../wgsl/tree.wgsl",
-      "!../wgsl/textures.wgsl",
-      "!../wgsl/baseline.wgsl",
-      "!../wgsl/pick.wgsl",
-    ],
-    { query: "?raw", import: "default", eager: true },
-  ),
+/** The shader modules that every page needs, by their path from here, as text. */
+const AT_ONCE = import.meta.glob<string>(
+  [
+    "../{wgsl,shapes,lights,lobes}/*.wgsl",
+    "!../{shapes,lights}/mesh.wgsl",
+    "!../lobes/multiscatter.wgsl",
+    "!../wgsl/{tree,textures,baseline,pick}.wgsl",
+  ],
+  { query: "?raw", import: "default", eager: true },
 );
 
+/** Those that few scenes need: each is loaded when one does. */
+const ON_DEMAND = import.meta.glob<string>(
+  ["../{shapes,lights}/mesh.wgsl", "../lobes/multiscatter.wgsl", "../wgsl/{tree,textures,baseline,pick}.wgsl"],
+  { query: "?raw", import: "default" },
+);
+
+/** Those taken apart so far, by the path that imports name. */
+const modules = new Map<string, ShaderModule>();
+
+/** The file of a module, from here. Those of `wgsl/` are named without it. */
+function fileOf(path: string): string {
+  return `../${path.includes("/") ? "" : "wgsl/"}${path}.wgsl`;
+}
+
+function moduleAt(path: string): ShaderModule | undefined {
+  const text = AT_ONCE[fileOf(path)];
+  if (!modules.has(path) && text !== undefined) modules.set(path, parseModule(text));
+  return modules.get(path);
+}
+
 /** Links a shader module of ours that needs no scene. */
-export async function linkModule(rootModuleName: string): Promise<string> {
-  const { dest } = await link({ weslSrc: MODULES, rootModuleName });
-  return dest;
+export function linkModule(root: string): Promise<string> {
+  return linkFrom({}, root, {});
 }
 
 /** Links the tracer for one scene, or what picks in it: `sceneModule` is what `emitScene` wrote. */
-export async function linkProgram(
+export function linkProgram(
   sceneModule: string,
   features: Features,
-  rootModuleName: "trace" | "pick" = "trace",
+  root: "trace" | "pick" = "trace",
 ): Promise<string> {
-  // What few scenes need is loaded when one does.
-  const { default: estimator } = features.UNIFORM
-    ? await import("../wgsl/baseline.wgsl?raw")
-    : { default: MODULES["./path.wgsl"]! };
-  const onDemand: Modules = {
-    ...(features.TREE && named((await import("./treeModules")).TREE_MODULES)),
-    ...(features.MULTISCATTER && {
-      "./lobes/multiscatter.wgsl": (await import("../lobes/multiscatter.wgsl?raw")).default,
-    }),
-    ...(rootModuleName === "pick" && { "./pick.wgsl": (await import("../wgsl/pick.wgsl?raw")).default }),
-  };
-  const { dest } = await link({
-    weslSrc: { ...MODULES, ...onDemand, "./scene.wgsl": sceneModule, "./estimator.wgsl": estimator },
-    rootModuleName,
-    conditions: features,
-    sourceMap: false,
-  });
-  return dest;
+  const estimator = features.UNIFORM ? "baseline" : "path";
+  return linkFrom({ scene: parseModule(sceneModule), estimator }, root, features);
 }
 
-function named(modules: Modules): Modules {
-  return Object.fromEntries(
-    Object.entries(modules).map(([path, text]) => [path.replace(/^\.\.\/(wgsl\/)?/, "./"), text]),
-  );
+/** @param given - modules that are only known now, or the paths of those that stand for them. */
+async function linkFrom(
+  given: Readonly<Record<string, ShaderModule | string>>,
+  root: string,
+  conditions: Conditions,
+): Promise<string> {
+  for (;;) {
+    const missing = new Set<string>();
+    const find = (name: string): ShaderModule | undefined => {
+      const path = given[name] ?? name;
+      const module = typeof path === "string" ? moduleAt(path) : path;
+      if (!module) missing.add(path as string);
+      return module;
+    };
+    const text = link(find, root, conditions);
+    if (missing.size === 0) return text;
+    for (const path of missing) modules.set(path, parseModule(await ON_DEMAND[fileOf(path)]!()));
+  }
 }

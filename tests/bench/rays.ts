@@ -114,7 +114,7 @@ async function traceOurs(device: GPUDevice, mesh: MeshData, rays: Float32Array):
           }
         }`,
       conditions: features,
-      modules: { "./scene.wgsl": sceneModule },
+      modules: { scene: sceneModule },
       scene: uniform,
       geometry,
       isStored,

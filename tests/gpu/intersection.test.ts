@@ -141,7 +141,7 @@ async function trace(scene: ResolvedScene, rays: readonly Ray[], inTree: number)
         outputs[4u * i + 3u] = vec4u(nextHit.id, bitcast<u32>(nextHit.t), 0u, 0u);
       }`,
     conditions: features,
-    modules: { "./scene.wgsl": sceneModule },
+    modules: { scene: sceneModule },
     scene: uniform,
     geometry,
     count: rays.length,

@@ -190,7 +190,7 @@ async function sampleLights({ objects = [], lights = [] }: Emitting, points: rea
         outputs[2u * i + 1u].w = bitcast<u32>(surface.Le.r);
       }`,
     conditions: features,
-    modules: { "./scene.wgsl": sceneModule },
+    modules: { scene: sceneModule },
     scene: uniform,
     geometry,
     count,

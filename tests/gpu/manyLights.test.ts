@@ -130,7 +130,7 @@ test("what a light is expected to give is finite, leaves mirrors out, and is not
         outputs[i] = vec4u(bitcast<u32>(expected), 0u, 0u, 0u);
       }`,
     conditions: features,
-    modules: { "./scene.wgsl": sceneModule },
+    modules: { scene: sceneModule },
     count: cases.length,
     inputs: new Float32Array(cases.flatMap(({ wi, size, alpha, diffuse, F0 }) => [...wi, size, alpha, diffuse, F0, 0])),
     outputRows: cases.length,

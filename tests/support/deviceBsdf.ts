@@ -57,7 +57,7 @@ async function run(materials: readonly Material[], inputs: readonly BsdfInput[],
         ${body}
       }`,
     conditions: features,
-    modules: { "./scene.wgsl": sceneModule },
+    modules: { scene: sceneModule },
     scene: uniform,
     count: inputs.length,
     inputs: floats,

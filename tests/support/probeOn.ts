@@ -1,21 +1,11 @@
-import { type LinkParams, link } from "wesl/core";
 import type { Features } from "../../src/compile/features";
+import { type Conditions, link, parseModule } from "../../src/compile/link";
 import { BufferUsage, MapMode, ShaderStage } from "../../src/gpu/flags";
 import { geometryLayout } from "../../src/gpu/geometryLayout";
 import { createComputePipeline } from "../../src/gpu/pipelines";
 import { SceneGeometry } from "../../src/gpu/sceneGeometry";
 import type { Geometry } from "../../src/tree/geometry";
-
-/** The shader modules of `src`, as `compile/linkProgram.ts` names them. */
-const MODULES: Readonly<Record<string, string>> = Object.fromEntries(
-  Object.entries(
-    import.meta.glob<string>("../../src/{wgsl,shapes,lights,lobes}/*.wgsl", {
-      query: "?raw",
-      import: "default",
-      eager: true,
-    }),
-  ).map(([path, text]) => [path.replace(/^\.\.\/\.\.\/src\/(wgsl\/)?/, "./"), text]),
-);
+import { SHADER_MODULES } from "./shaderModules";
 
 export type Probe = {
   /**
@@ -23,12 +13,12 @@ export type Probe = {
    * reads `inputs: array<vec4u>` and writes `outputs: array<vec4u>`.
    */
   readonly wgsl: string;
-  readonly conditions: LinkParams["conditions"];
+  readonly conditions?: Conditions | undefined;
   readonly count: number;
   readonly inputs: Uint32Array | Float32Array;
   /** Rows of `outputs`, four words each. */
   readonly outputRows: number;
-  /** More modules: the generated `scene`, say. */
+  /** More modules by their paths: the generated `scene`, say. */
   readonly modules?: Readonly<Record<string, string>>;
   /** Contents of the uniform `scene`, where `wgsl` reads it. */
   readonly scene?: ArrayBuffer;
@@ -50,11 +40,13 @@ export async function probeOn(
   device: GPUDevice,
   { wgsl, conditions, count, inputs, outputRows, modules, scene, geometry, isStored }: Probe,
 ): Promise<Uint32Array> {
-  const { dest } = await link({
-    weslSrc: { ...MODULES, ...modules, "./probe.wgsl": `${wgsl}\n${harness(count)}` },
-    rootModuleName: "probe",
-    ...(conditions && { conditions }),
-  });
+  const texts: Readonly<Record<string, string>> = {
+    ...SHADER_MODULES,
+    ...modules,
+    probe: `${wgsl}\n${harness(count)}`,
+  };
+  const parsed = new Map(Object.entries(texts).map(([path, text]) => [path, parseModule(text)]));
+  const code = link((path) => parsed.get(path), "probe", conditions ?? {});
   const geometryEntries = geometry ? geometryLayout(conditions as Features) : [];
   const visibility = ShaderStage.COMPUTE;
   const layout = device.createBindGroupLayout({
@@ -75,7 +67,7 @@ export async function probeOn(
     ],
   });
   const pipelineLayout = device.createPipelineLayout({ label: "probe", bindGroupLayouts: [layout] });
-  const pipeline = await createComputePipeline(device, "probe", dest, "main", pipelineLayout);
+  const pipeline = await createComputePipeline(device, "probe", code, "main", pipelineLayout);
 
   const bytes = 16 * outputRows;
   const { STORAGE, UNIFORM, COPY_DST, COPY_SRC, MAP_READ } = BufferUsage;

@@ -89,7 +89,7 @@ export async function traceRays(scene: Scene, rays: Rays, method: Method = "ours
         outputs[3u * i + 2u] = vec4u(bitcast<vec3u>(wi), 0u);
       }`,
     conditions: features,
-    modules: { ...(isOurs ? {} : TEXTBOOK), "./scene.wgsl": sceneModule },
+    modules: { ...(isOurs ? {} : TEXTBOOK), scene: sceneModule },
     scene: uniform,
     geometry,
     isStored,

@@ -203,7 +203,7 @@ async function probe(first: string, u: readonly (readonly [number, number])[], b
         outputs[2u * i + 1u] = bitcast<vec4u>(${second});
       }`,
     conditions: {},
-    modules: { "./scene.wgsl": "" },
+    modules: { scene: "" },
     count: u.length,
     inputs: new Float32Array(u.flatMap(([x, y]) => [x, y, 0, 0])),
     outputRows: 2 * u.length,

@@ -177,7 +177,7 @@ async function worstErrors(inputs: readonly Numbers[], ours: string, textbook: s
         outputs[i] = bitcast<vec4u>(vec4f(${ours}, ${textbook}, 0.0, 0.0));
       }`,
     conditions: {},
-    modules: { "./scene.wgsl": "" },
+    modules: { scene: "" },
     count: inputs.length,
     inputs: new Float32Array(inputs.flat()),
     outputRows: inputs.length,

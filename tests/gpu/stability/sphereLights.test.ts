@@ -115,7 +115,7 @@ async function sampleGrid(radius: number, distance: number) {
         outputs[2u * i + 1u] = bitcast<vec4u>(vec4f(light.estimate.r, light.pdf, coneSolidAngle(vec3f(0.0), center.xyz, center.w), 0.0));
       }`,
     conditions: features,
-    modules: { "./scene.wgsl": sceneModule, "./cone.wgsl": CONE },
+    modules: { scene: sceneModule, cone: CONE },
     scene: uniform,
     count,
     inputs: new Float32Array([...center, radius]),

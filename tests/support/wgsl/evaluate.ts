@@ -1,17 +1,8 @@
 // Runs functions of the shader modules on the CPU, with every freedom that WGSL leaves to a device. It reads what straight-line
 // functions of f32, u32 and bool are made of: let, var, if, return, vectors, structs.
 
+import { SHADER_MODULES } from "../shaderModules";
 import { type Choices, negated, nextAbove, Product, round, type Scalar, sum, value } from "./choices";
-
-const SOURCES: Readonly<Record<string, string>> = Object.fromEntries(
-  Object.entries(
-    import.meta.glob<string>("../../../src/{wgsl,shapes,lights,lobes}/*.wgsl", {
-      query: "?raw",
-      import: "default",
-      eager: true,
-    }),
-  ).map(([path, text]) => [path.replace(/.*\/src\/(?:wgsl\/)?(.*)\.wgsl/, "$1"), text]),
-);
 
 /** f32 as numbers, u32 as bigints, vectors as arrays, structs by their fields. */
 export type Value = Scalar | bigint | boolean | readonly Value[] | { readonly [field: string]: Value };
@@ -22,7 +13,7 @@ export type Run = (name: string, ...args: readonly Value[]) => Value;
  * @returns what calls their functions, making the given choices.
  */
 export function wgslFunctions(modules: readonly string[]): (choices: Choices) => Run {
-  const text = modules.map((module) => SOURCES[module] ?? module).join("\n");
+  const text = modules.map((module) => SHADER_MODULES[module] ?? module).join("\n");
   const parser = new Parser(text.replace(/\/\/.*/g, ""));
   const program = new Function("R", parser.program()) as (
     runtime: Runtime,
