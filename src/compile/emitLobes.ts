@@ -3,7 +3,7 @@
 // scene's materials.
 
 import type { Lobe } from "../lobes/lobe";
-import { columnsIn, lobesIn } from "../lobes/lobes";
+import { bsdfColumns, lobesIn } from "../lobes/lobes";
 import type { Features } from "./features";
 
 /**
@@ -17,7 +17,7 @@ import type { Features } from "./features";
  *   lights by. 0 only where all of the ball is below the surface.
  */
 export function emitLobes(features: Features): string {
-  const columns = columnsIn(features);
+  const columns = bsdfColumns(features);
   const lobes = drawn(lobesIn(features));
   const derived = lobes
     .flatMap(({ lobe }) => Object.entries(lobe.derived ?? {}))

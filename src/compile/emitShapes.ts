@@ -2,10 +2,12 @@
 // Writes the part of the shader module `scene` that finds what a ray meets.
 
 import type { Light } from "../lights/light";
+import { hasHoles } from "../lobes/coverage";
 import type { EmittedShape } from "../shapes/shape";
 import { ITEMS, itemTag, kindOf, kindOfObject, type Shape } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
 import { emitBlockingLoops, emitClosestLoops } from "./emitLoops";
+import { type Features, familyOf } from "./features";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
 import type { Values } from "./values";
@@ -23,18 +25,29 @@ export function emitShapes(
   geometry: Geometry | undefined,
   values: Values,
   blocks: (id: number) => boolean,
+  { ALPHA }: Features,
 ): string {
   const sampled = new Set(lights.map((light) => light.primitive));
   const emitted = unrolling.unrolled.map((id) => ({ id, ...emitShape(primitives[id]!.shape, id, values) }));
   const isSheared = emitted.some(({ distance }) => distance.includes("(shear,"));
   const shear = isSheared ? "  let shear = shearOf(ray);\n" : "";
-  const closest = emitted.map(({ id, distance }) => `  hit = nearer(hit, ${distance}, ${id}u, ray);\n`);
+  // What has passed the near side of a closed shape may meet the far one.
+  const farSide = (id: number, distance: string, meet: string) => {
+    const { material, shape } = primitives[id]!;
+    if (!ALPHA || material === "black" || !hasHoles(material) || familyOf(shape) === "flat") return "";
+    return `  if (${distance} > 0.0) { let outer = ray; let ray = innerRay(outer, ${id}u); ${meet} }\n`;
+  };
+  const closest = emitted.map(({ id, distance }) => {
+    const meet = (ray: string) => `hit = nearer(hit, ${distance}, ${id}u, ${ray});`;
+    return `  ${meet("ray")}\n${farSide(id, distance, meet("outer"))}`;
+  });
   const blockers = emitted.map(({ id, distance }) => {
     const isTarget = sampled.has(id);
     if (isTarget && lights.length === 1) return ""; // a light never hides itself
     if (!blocks(id)) return "";
     const other = isTarget ? ` & (target_ != ${id}u)` : "";
-    return `  blocked |= between(${distance}, distance, ${id}u, ray)${other};\n`;
+    const block = (ray: string) => `blocked |= between(${distance}, distance, ${id}u, ${ray})${other};`;
+    return `  ${block("ray")}\n${farSide(id, distance, block("outer"))}`;
   });
   const normals = emitted.map(({ id, normal }) => (normal ? `  n = select(n, ${normal}, id == ${id}u);\n` : ""));
   return `

@@ -67,7 +67,7 @@ export function deriveFeatures(
 type Family = "flat" | "ball" | "solid" | "triangles";
 
 /** By the row that the shader tells it from: see `ShapeKind`. */
-function familyOf(shape: Shape): Family {
+export function familyOf(shape: Shape): Family {
   const { triangleDistance, row } = kindOf(shape);
   if (triangleDistance) return "triangles";
   const w = row(shape)[3];

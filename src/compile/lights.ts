@@ -1,5 +1,6 @@
 import type { Light } from "../lights/light";
 import { lightsOf } from "../lights/lights";
+import { hasHoles } from "../lobes/coverage";
 import type { ResolvedScene } from "../scene/schema";
 import { kindOf } from "../shapes/shapes";
 import { isEmissive, type Primitive } from "./primitives";
@@ -11,8 +12,8 @@ import { isEmissive, type Primitive } from "./primitives";
 export function lightsOfScene(scene: ResolvedScene, primitives: readonly Primitive[]): Light[] {
   const lights: Light[] = [];
   for (const [id, primitive] of primitives.entries()) {
-    if (!isEmissive(primitive)) continue;
-    const { shape, emission } = primitive;
+    const { shape, emission, material } = primitive;
+    if (!isEmissive(primitive) || (material !== "black" && hasHoles(material))) continue;
     for (const light of kindOf(shape).lights(shape, emission, id)) lights.push(light);
   }
   for (const each of scene.lights) for (const light of lightsOf(each, scene.camera.target)) lights.push(light);

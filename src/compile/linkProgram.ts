@@ -7,14 +7,14 @@ const AT_ONCE = import.meta.glob<string>(
     "../{wgsl,shapes,lights,lobes}/*.wgsl",
     "!../{shapes,lights}/mesh.wgsl",
     "!../lobes/multiscatter.wgsl",
-    "!../wgsl/{tree,textures,baseline,pick}.wgsl",
+    "!../wgsl/{tree,textures,coverage,baseline,pick}.wgsl",
   ],
   { query: "?raw", import: "default", eager: true },
 );
 
 /** Those that few scenes need: each is loaded when one does. */
 const ON_DEMAND = import.meta.glob<string>(
-  ["../{shapes,lights}/mesh.wgsl", "../lobes/multiscatter.wgsl", "../wgsl/{tree,textures,baseline,pick}.wgsl"],
+  ["../{shapes,lights}/mesh.wgsl", "../lobes/multiscatter.wgsl", "../wgsl/{tree,textures,coverage,baseline,pick}.wgsl"],
   { query: "?raw", import: "default" },
 );
 
@@ -44,7 +44,7 @@ export function linkProgram(
   root: "trace" | "pick" = "trace",
 ): Promise<string> {
   const estimator = features.UNIFORM ? "baseline" : "path";
-  return linkFrom({ scene: parseModule(sceneModule), estimator }, root, features);
+  return linkFrom({ scene: parseModule(sceneModule), estimator }, root, { ...features, PICK: root === "pick" });
 }
 
 /** @param given - modules that are only known now, or the paths of those that stand for them. */

@@ -2,7 +2,7 @@
 
 import type { Light } from "../lights/light";
 import { samplerOf } from "../lights/lights";
-import { columnsIn, rowOf } from "../lobes/lobes";
+import { rowOf, tableColumns } from "../lobes/lobes";
 import { defineStruct, type StructFields, type StructLayout, type StructValue } from "./defineStruct";
 import type { Features } from "./features";
 import type { Primitive } from "./primitives";
@@ -19,7 +19,7 @@ export function materialTable(
   lights: readonly Light[],
   features: Features,
 ): MaterialTable {
-  const columns = columnsIn(features);
+  const columns = tableColumns(features);
   const emitting = features.EMISSION ? ({ emission: "vec3f", lightDensity: "f32" } as const) : {};
   const fields = { ...Object.fromEntries(columns.map(([name, { type }]) => [name, type])), ...emitting };
   const densities = lightDensities(lights);

@@ -1,6 +1,7 @@
 // Every lobe, a line each. To add one: its fields in the material's schema, its file and shader module here, and a line below.
 
 import type { ResolvedMaterial, Vec3 } from "../scene/schema";
+import { coverage } from "./coverage";
 import { fresnel } from "./fresnel";
 import { ggx } from "./ggx";
 import { lambert } from "./lambert";
@@ -10,15 +11,16 @@ import { mirror } from "./mirror";
 /** By the names that the shader gives them. The first that a scene has is drawn where no other is; those of one direction come last. */
 const LOBES = { lambert, ggx, mirror } as const satisfies Readonly<Record<string, Lobe>>;
 
-const PARTS = { fresnel, ...LOBES } as const satisfies Readonly<Record<string, MaterialPart>>;
+/** What `Bsdf` is made of, and what only the table of materials has. */
+const OF_BSDF = { fresnel, ...LOBES } as const satisfies Readonly<Record<string, MaterialPart>>;
+const PARTS = { ...OF_BSDF, coverage } as const satisfies Readonly<Record<string, MaterialPart>>;
 
 type Parts = typeof PARTS;
 type FeatureName = { [P in keyof Parts]: keyof Parts[P]["features"] }[keyof Parts];
 
 const FEATURES = Object.values(PARTS).flatMap(({ features }: MaterialPart) => Object.entries(features));
-const COLUMNS: readonly (readonly [name: string, column: Column])[] = Object.values(PARTS).flatMap(
-  ({ columns }: MaterialPart) => Object.entries(columns),
-);
+
+type NamedColumn = readonly [name: string, column: Column];
 
 /** The body of a light, which reflects nothing. */
 const BLACK: ResolvedMaterial = {
@@ -29,6 +31,9 @@ const BLACK: ResolvedMaterial = {
   emission: [0, 0, 0],
   masking: "smith",
   multiscatter: false,
+  alpha: 1,
+  alphaMode: "opaque",
+  alphaCutoff: 0.5,
   normalScale: 1,
 };
 
@@ -57,15 +62,26 @@ export function lobesIn(features: MaterialFeatures): [name: string, lobe: Lobe][
   return Object.entries<Lobe>(LOBES).filter(([, { feature }]) => features[feature]);
 }
 
+/** The columns that are members of a scene's `Bsdf`. */
+export function bsdfColumns(features: MaterialFeatures): NamedColumn[] {
+  return columnsOf(OF_BSDF, features);
+}
+
 /** The columns of a scene's table of materials. */
-export function columnsIn(features: MaterialFeatures): (readonly [name: string, column: Column])[] {
-  return COLUMNS.filter(([, { when }]) => when(features));
+export function tableColumns(features: MaterialFeatures): NamedColumn[] {
+  return columnsOf(PARTS, features);
+}
+
+function columnsOf(parts: Readonly<Record<string, MaterialPart>>, features: MaterialFeatures): NamedColumn[] {
+  return Object.values(parts)
+    .flatMap(({ columns }) => Object.entries(columns))
+    .filter(([, { when }]) => when(features));
 }
 
 /** A row of those columns. */
 export function rowOf(
   material: ResolvedMaterial | "black",
-  columns: readonly (readonly [name: string, column: Column])[],
+  columns: readonly NamedColumn[],
 ): Record<string, number | Vec3> {
   return Object.fromEntries(columns.map(([name, { of }]) => [name, of(material === "black" ? BLACK : material)]));
 }

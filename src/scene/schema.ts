@@ -57,13 +57,14 @@ export const CameraSchema = strictObject(
 );
 
 const MASKINGS = ["smith", "schlick-beckmann"] as const;
+const ALPHA_MODES = ["opaque", "mask", "blend"] as const;
 const WRAPS = ["repeat", "mirror", "clamp"] as const;
 const FILTERS = ["linear", "nearest"] as const;
 
 /** The name of one of the scene's textures. */
 const textureName = v.string((issue) => `expected the name of a texture, got ${show(issue.input)}`);
 
-/** An opaque surface as in glTF 2.0: metallic-roughness. */
+/** A surface as in glTF 2.0: metallic-roughness. */
 export const MaterialSchema = strictObject(
   {
     /** Albedo of a dielectric, reflectance at normal incidence of a metal; each component from 0 to 1. */
@@ -88,7 +89,13 @@ export const MaterialSchema = strictObject(
       v.boolean((issue) => `expected true or false, got ${show(issue.input)}`),
       false,
     ),
-    /** Name of the texture whose colour, sRGB, multiplies `baseColor`. Textures show on meshes that have `uvs`. */
+    /** How much of the surface is there, from 0 to 1, if `alphaMode` is not `"opaque"`. Surfaces with holes emit, but no light is sampled on them. */
+    alpha: v.optional(fraction, 1),
+    /** `"mask"`: it is there where alpha is `alphaCutoff` or more. `"blend"`: alpha of the light meets it, and the rest passes. */
+    alphaMode: choice(ALPHA_MODES, "opaque"),
+    /** Of a mask, ≥ 0. */
+    alphaCutoff: v.optional(numberThat("a finite number ≥ 0", { min: 0 }), 0.5),
+    /** Name of the texture whose colour, sRGB, multiplies `baseColor`, and whose alpha multiplies `alpha`. Textures show on meshes that have `uvs`. */
     baseColorTexture: v.optional(textureName),
     /** Name of the texture whose green multiplies `roughness` and whose blue multiplies `metallic`; linear. */
     metallicRoughnessTexture: v.optional(textureName),
@@ -122,7 +129,7 @@ export const TextureSchema = strictObject(
     width: textureSize,
     height: textureSize,
     /**
-     * Red, green, blue and alpha, from 0 to 255, of each texel; rows from the top. Alpha has no meaning yet. A `Uint8Array` that a
+     * Red, green, blue and alpha, from 0 to 255, of each texel; rows from the top. A `Uint8Array` that a
      * loader made, or that comes from a scene that was parsed, is not copied: another picture has to be another array.
      */
     texels: bytes,

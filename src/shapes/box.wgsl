@@ -51,7 +51,8 @@ fn boxNormal(ray: Ray, point: vec3f, center: vec3f, halfSize: vec3f, turn: vec2f
   // As in slabs(): a ray that starts on a face and meets the box goes through it.
   let isInside = (ray.source == (id | INSIDE)) | all(abs(turnBack(ray.o - center, turn)) <= halfSize);
   let leaving = turnBack(ray.d, turn) * local > vec3f(0.0);
-  let size = select(vec3f(0.0), abs(local), leaving == vec3<bool>(isInside));
+  @if(!ALPHA) let size = select(vec3f(0.0), abs(local), leaving == vec3<bool>(isInside));
+  @if(ALPHA) let size = abs(local); // rays may have passed the near side
   let x = (size.x >= size.y) & (size.x >= size.z);
   let y = !x & (size.y >= size.z);
   return turnForth(sign(local) * vec3f(select(0.0, 1.0, x), select(0.0, 1.0, y), select(1.0, 0.0, x | y)), turn);

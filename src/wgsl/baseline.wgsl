@@ -3,6 +3,7 @@
 import package::basis::{toLocal, toWorld};
 import package::camera::cameraRay;
 import package::constants::NONE;
+import package::coverage::drawCoverage;
 import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::directLight::{DirectLight, directLight, unhidden};
 import package::frameUniforms::{countRay, frame};
@@ -19,6 +20,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   // Whether emitters that this ray hits have been counted already, by light sampling at its origin.
   var counted = false;
   for (var depth = 0u; ; depth++) {
+    @if(ALPHA) drawCoverage(samples, dimensionAt(depth, PIXEL));
     let hit = closestHit(ray);
     countRay();
     if (hit.id == NONE) {

@@ -1,4 +1,5 @@
 // Light that arrives at a surface straight from emitters and is reflected towards the viewer.
+import package::coverage::drawCoverage;
 import package::estimator::oneLight;
 import package::frameUniforms::{countRay, frame};
 import package::lights::light::LightSample;
@@ -16,10 +17,12 @@ struct DirectLight {
 // The mean of the light samples that the settings ask for, each as the estimator weighs it.
 @if(LIGHTS)
 fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> DirectLight {
+  @if(ALPHA && !MANY_LIGHT_SAMPLES) drawCoverage(samples, dimension);
   @if(!MANY_LIGHT_SAMPLES) return oneLight(surface, samples, dimension);
   @if(MANY_LIGHT_SAMPLES) {
     var sum: DirectLight;
     for (var i = 0u; i < frame.lightSamples; i++) {
+      @if(ALPHA) drawCoverage(subsample(samples, i, frame.lightSamples), dimension);
       let one = oneLight(surface, subsample(samples, i, frame.lightSamples), dimension);
       sum.L += one.L;
       sum.totalWeight += one.totalWeight;

@@ -7,6 +7,7 @@
 // [1] Arvo, Kirk 1990, "Particle Transport and Image Synthesis", section 5
 import package::camera::cameraRay;
 import package::constants::NONE;
+import package::coverage::drawCoverage;
 import package::dimensions::EMITTER_PIXEL;
 import package::sampler::{Sampler, point, subsample};
 import package::scene::closestHit;
@@ -26,6 +27,7 @@ fn emitterLight(pixel: vec2u, samples: Sampler) -> vec3f {
   var sum = vec3f(0.0);
   for (var i = 0u; i < EMITTER_RAYS; i++) {
     let ray = cameraRay(pixel, point(subsample(samples, i, EMITTER_RAYS), EMITTER_PIXEL));
+    @if(ALPHA) drawCoverage(subsample(samples, i, EMITTER_RAYS), EMITTER_PIXEL);
     let hit = closestHit(ray);
     countRay();
     if (hit.id != NONE) { sum += surfaceAt(ray, hit).Le; }

@@ -5,6 +5,7 @@
 import package::basis::{toLocal, toWorld};
 import package::camera::cameraRay;
 import package::constants::{NEAR2, NONE};
+import package::coverage::drawCoverage;
 import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::directLight::{DirectLight, directLight, lightSampleCount, unhidden};
 import package::emitters::inEmitterWindow;
@@ -32,6 +33,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   @if(MANY_LIGHTS) var last: Surface;
   @if(MANY_LIGHTS) var totalWeight = 1.0;
   for (var depth = 0u; ; depth++) {
+    @if(ALPHA) drawCoverage(samples, dimensionAt(depth, PIXEL));
     let hit = closestHit(ray);
     countRay();
     if (hit.id == NONE) {

@@ -1,7 +1,8 @@
 // A ray never meets the surface it leaves at its own origin. Analytic primitives are flat or convex, so instead of
 // moving the origin off the surface by an epsilon, the ray names the primitive it starts on and the intersectors leave
 // that one out (flat, or convex seen from outside) or take only its far side (seen from inside). No scale enters.
-import package::constants::{FAR, LEAST_COMPONENT, NONE};
+import package::constants::{FAR, INSIDE, LEAST_COMPONENT, NONE};
+import package::coverage::isCovered;
 
 struct Ray {
   o: vec3f,
@@ -34,10 +35,21 @@ fn noHit() -> Hit {
 // Keeps the nearer of `hit` and primitive `id` at `t`; any t <= 0 is a miss.
 fn nearer(hit: Hit, t: f32, id: u32, ray: Ray) -> Hit {
   let closer = (t > 0.0) & (t < hit.t) & (id != ray.source);
+  @if(ALPHA) {
+    if (closer && !isCovered(ray, t, id)) { return hit; }
+  }
   return Hit(select(hit.t, t, closer), select(hit.id, id, closer));
 }
 
 // Whether primitive `id` at `t` lies strictly between the ray's origin and the point at `distance`.
 fn between(t: f32, distance: f32, id: u32, ray: Ray) -> bool {
-  return (t > 0.0) & (t < distance) & (id != ray.source);
+  let lies = (t > 0.0) & (t < distance) & (id != ray.source);
+  @if(!ALPHA) return lies;
+  @if(ALPHA) return lies && isCovered(ray, t, id);
+}
+
+// The same ray as one that starts inside of closed primitive `id`: what it meets is the far side.
+@if(ALPHA)
+fn innerRay(ray: Ray, id: u32) -> Ray {
+  return Ray(ray.o, ray.d, ray.inverse, id | INSIDE);
 }

@@ -1,7 +1,7 @@
 // Where a ray meets a surface: by the family that the row of a shape tells, flat, ball or solid, and by triangles of meshes.
 import package::constants::INSIDE;
 import package::ray::{Hit, Ray};
-import package::scene::{PRIMITIVES, anchorOf, itemNormal, shapeNormal, shapeOf};
+import package::scene::{PRIMITIVES, anchorOf, cutoffOf, itemNormal, shapeNormal, shapeOf};
 import package::shapes::mesh::{MeshPoint, meshPoint};
 import package::tree::{Item, TURNED_TRIANGLE, itemAt};
 
@@ -89,6 +89,7 @@ fn surfacePoint(ray: Ray, hit: Hit) -> SurfacePoint {
     let startsInside = (ray.source == (hit.id | INSIDE)) | (dot(toOrigin, toOrigin) < shape.w * shape.w);
     @if(!HUGE_BALLS) found.front = select(found.front, !startsInside, isBall);
     @if(HUGE_BALLS) found.front = select(found.front, !startsInside, isBall & !isHuge);
+    @if(ALPHA) found.front = select(found.front, dot(ray.d, n) < 0.0, cutoffOf(found.id) != 0.0); // rays pass its near side
   }
   return found;
 }

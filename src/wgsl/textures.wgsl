@@ -58,6 +58,15 @@ fn dataAt(texture: u32, uv: vec2f) -> vec3f {
   return bilinear(valueOf(f.texels.x), valueOf(f.texels.y), valueOf(f.texels.z), valueOf(f.texels.w), f.share);
 }
 
+// Its alpha.
+@if(ALPHA_TEXTURES)
+fn alphaAt(texture: u32, uv: vec2f) -> f32 {
+  if (texture == NONE) { return 1.0; }
+  let f = footprint(textureOf(texture), uv);
+  let alphas = vec4f(f.texels >> vec4u(24u)) / 255.0;
+  return mix(mix(alphas.x, alphas.y, f.share.x), mix(alphas.z, alphas.w, f.share.x), f.share.y);
+}
+
 @if(TEXTURES)
 fn footprint(texture: Texture, uv: vec2f) -> Footprint {
   let size = vec2f(texture.place.xy);

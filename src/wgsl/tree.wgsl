@@ -10,9 +10,9 @@
 // [3] Ylitie, Karras, Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs"
 import package::constants::FAR;
 import package::minMax::{greater, lesser};
-import package::ray::{Hit, Ray, between, nearer};
+import package::ray::{Hit, Ray, between, innerRay, nearer};
 import package::scene::{PRIMITIVES, STACK_SIZE, itemIntersect};
-import package::shapes::triangle::shearOf;
+import package::shapes::triangle::{Shear, shearOf};
 
 // Two texels each, rows of 4096 nodes; see tree/packTree.ts. Written by the renderer when the geometry changes.
 @group(0) @binding(5) var nodes: texture_2d<u32>;
@@ -74,6 +74,7 @@ fn treeClosest(ray: Ray, found: Hit) -> Hit {
     for (var slot = first; slot < end; slot++) {
       let id = PRIMITIVES + slot;
       hit = nearer(hit, itemIntersect(ray, shear, slot, id), id, ray);
+      @if(ALPHA && (BALLS || SOLIDS)) hit = nearer(hit, farSide(ray, shear, slot, id), id, ray);
     }
     link = nextWaiting(NOTHING, true);
   }
@@ -94,11 +95,19 @@ fn treeOccludes(ray: Ray, distance: f32, target_: u32) -> bool {
     for (var slot = first; slot < end; slot++) {
       let id = PRIMITIVES + slot;
       blocked |= between(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
+      @if(ALPHA && (BALLS || SOLIDS)) blocked |= between(farSide(ray, shear, slot, id), distance, id, ray) & (id != target_);
     }
     if (blocked) { break; }
     link = nextWaiting(NOTHING, true);
   }
   return blocked;
+}
+
+// Where a ray that meets a closed item leaves it, if it may have passed the near side; not positive if there is nothing to leave.
+@if(ALPHA && (BALLS || SOLIDS))
+fn farSide(ray: Ray, shear: Shear, slot: u32, id: u32) -> f32 {
+  if (itemAt(slot).kind <= TURNED_TRIANGLE || itemIntersect(ray, shear, slot, id) <= 0.0) { return -1.0; }
+  return itemIntersect(innerRay(ray, id), shear, slot, id);
 }
 
 // The nearest leaf in or after `start` whose box the ray enters before `limit`. [1]

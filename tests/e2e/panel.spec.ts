@@ -202,7 +202,15 @@ test("the panel takes less than a millisecond of a frame", async ({ page }) => {
     const container = root.appendChild(document.createElement("div"));
     container.style.width = "236px";
     const material = { baseColor: [1, 1, 1], metallic: 1, roughness: 0.5, ior: 1.5, emission: [0, 0, 0] } as const;
-    const gold = { ...material, masking: "smith", multiscatter: false, normalScale: 1 } as const;
+    const gold = {
+      ...material,
+      masking: "smith",
+      multiscatter: false,
+      alpha: 1,
+      alphaMode: "opaque",
+      alphaCutoff: 0.5,
+      normalScale: 1,
+    } as const;
     const camera = { position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 45 } as const;
     const scene = {
       ...{ camera, materials: { gold }, textures: {}, lights: [], environment: { radiance: [0, 0, 0] } as const },

@@ -108,10 +108,8 @@ export class Materials {
       metallicFactor = 1,
       roughnessFactor = 1,
     } = material.pbrMetallicRoughness ?? {};
-    const { normalTexture, alphaMode = "OPAQUE", doubleSided } = material;
+    const { normalTexture, doubleSided } = material;
     const emission = emissionOf(material);
-    if (alphaMode !== "OPAQUE")
-      this.#warnings.add(`alphaMode ${alphaMode} is not supported: it is shown opaque`, place);
     if (doubleSided && isEmissive(emission)) {
       this.#warnings.add("A double-sided material emits from its front only", place);
     }
@@ -124,8 +122,17 @@ export class Materials {
       ...(ior >= 1 && { ior }),
       ...(isEmissive(emission) && { emission }),
       ...(normalTexture?.scale !== undefined && { normalScale: normalTexture.scale }),
+      ...alphaOf(material),
     };
   }
+}
+
+/** What of a surface is there. */
+function alphaOf({ alphaMode = "OPAQUE", alphaCutoff, pbrMetallicRoughness }: GltfMaterial): Partial<Material> {
+  if (alphaMode === "OPAQUE") return {};
+  const alpha = toFraction(pbrMetallicRoughness?.baseColorFactor?.[3] ?? 1);
+  if (alphaMode === "BLEND") return { alphaMode: "blend", alpha };
+  return { alphaMode: "mask", alpha, ...(alphaCutoff !== undefined && { alphaCutoff }) };
 }
 
 /** In the order in which they decide what the texture coordinates are. */

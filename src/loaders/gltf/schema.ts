@@ -111,6 +111,7 @@ const Material = v.object({
   emissiveTexture: TextureInfo,
   emissiveFactor: v.optional(color),
   alphaMode: v.optional(v.picklist(["OPAQUE", "MASK", "BLEND"])),
+  alphaCutoff: v.optional(nonNegative),
   doubleSided: isFlagged,
   extensions: v.optional(
     v.object({

@@ -57,9 +57,13 @@ describe("factors", () => {
     expect(odd.warnings).toEqual(["KHR_materials_ior: 0 is not supported: 1.5 takes its place (materials[0])"]);
   });
 
-  test.each(["MASK", "BLEND"])("alphaMode %s is said not to be supported", async (alphaMode) => {
-    const { warnings } = await loadMaterial({ name: "Leaf", alphaMode });
-    expect(warnings).toEqual([`alphaMode ${alphaMode} is not supported: it is shown opaque (materials[0] "Leaf")`]);
+  test("alpha is a mask with its cutoff, or blends; of an opaque material it says nothing", async () => {
+    const pbrMetallicRoughness = { baseColorFactor: [1, 1, 1, 0.25] };
+    const made = async (more: object) => (await loadMaterial({ pbrMetallicRoughness, ...more })).material;
+    expect(await made({ alphaMode: "MASK" })).toMatchObject({ alphaMode: "mask", alpha: 0.25 });
+    expect(await made({ alphaMode: "MASK", alphaCutoff: 0.1 })).toMatchObject({ alphaMode: "mask", alphaCutoff: 0.1 });
+    expect(await made({ alphaMode: "BLEND" })).toMatchObject({ alphaMode: "blend", alpha: 0.25 });
+    expect(await made({})).not.toHaveProperty("alpha");
   });
 
   test("materials of one name, whatever it is, stay apart", async () => {

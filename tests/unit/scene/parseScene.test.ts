@@ -37,6 +37,9 @@ describe("defaults", () => {
       emission: [0, 0, 0],
       masking: "smith",
       multiscatter: false,
+      alpha: 1,
+      alphaMode: "opaque",
+      alphaCutoff: 0.5,
       normalScale: 1,
     });
   });

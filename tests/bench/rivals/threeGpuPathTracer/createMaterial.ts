@@ -38,6 +38,9 @@ export function createEmitter(radiance: Rgb): MeshPhysicalMaterial {
     emission: radiance,
     masking: "smith",
     multiscatter: false,
+    alpha: 1,
+    alphaMode: "opaque",
+    alphaCutoff: 0.5,
     normalScale: 1,
   };
   const material = createMaterial(black);
