@@ -1,6 +1,7 @@
 import type { Light } from "../lights/light";
-import { lightsOf } from "../lights/lights";
+import { bothSides, lightsOf } from "../lights/lights";
 import { hasHoles } from "../lobes/coverage";
+import { emitsTwice } from "../lobes/sides";
 import type { ResolvedScene } from "../scene/schema";
 import { kindOf } from "../shapes/shapes";
 import { isEmissive, type Primitive } from "./primitives";
@@ -14,7 +15,9 @@ export function lightsOfScene(scene: ResolvedScene, primitives: readonly Primiti
   for (const [id, primitive] of primitives.entries()) {
     const { shape, emission, material } = primitive;
     if (!isEmissive(primitive) || (material !== "black" && hasHoles(material))) continue;
-    for (const light of kindOf(shape).lights(shape, emission, id)) lights.push(light);
+    const front = kindOf(shape).lights(shape, emission, id);
+    const sides = material !== "black" && emitsTwice(material) ? front.flatMap(bothSides) : front;
+    for (const light of sides) lights.push(light);
   }
   for (const each of scene.lights) for (const light of lightsOf(each, scene.camera.target)) lights.push(light);
   let strongest = 0;

@@ -1,5 +1,6 @@
 import { sum } from "../lights/light";
 import type { ResolvedMaterial, ResolvedScene, Rgb } from "../scene/schema";
+import { shown } from "../scene/shown";
 import { placed, placeOf } from "../shapes/placed";
 import { kindOfObject, type Shape } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
@@ -23,8 +24,9 @@ export function primitivesOf(scene: ResolvedScene, geometry?: Geometry): Primiti
   const place = placeOf(scene);
   const parts = new Map(geometry?.parts.map((part) => [part.id, part]));
   const { shapes, bodies } = placed(scene);
+  const surfaces = new Map(Object.entries(scene.materials).map(([name, material]) => [name, shown(material)]));
   const objects = scene.objects.map((object, id) => {
-    const material = scene.materials[object.material]!;
+    const material = surfaces.get(object.material)!;
     const part = parts.get(id);
     const triangles = part && { lower: part.lower, upper: part.upper, light: geometry?.lights.get(id) };
     const shape = shapes[id] ?? kindOfObject(object).place(object, { ...place, triangles });

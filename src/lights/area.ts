@@ -1,7 +1,8 @@
-import type { LightKind } from "./light";
+import { type LightKind, turned } from "./light";
 
 export const quad: LightKind = {
   sampler: { sample: "package::lights::area::samplePlanar(p, light, u)", measure: "area" },
+  turn: turned,
 };
 
 export const triangle: LightKind = {
@@ -9,4 +10,5 @@ export const triangle: LightKind = {
     sample: "package::lights::area::samplePlanar(p, light, package::lights::area::squareToTriangle(u))",
     measure: "area",
   },
+  turn: turned,
 };

@@ -54,6 +54,11 @@ export function flatLight(
   return { kind, position, size, edge1, edge2, normal, radiance, primitive, strength, front, bound };
 }
 
+/** A flat light that shines to the other side. */
+export function turned(light: Light): Light {
+  return { ...light, edge1: light.edge2, edge2: light.edge1, normal: scale(light.normal, -1) };
+}
+
 /** The ball around the mean of some points that holds them all. */
 export function ballAround(points: readonly Vec3[]): Ball {
   const center = scale(
@@ -84,7 +89,11 @@ export type LightSampler = {
 };
 
 /** A kind of light that `sampler` samples: surfaces that emit, or lights of a scene's list. */
-export type LightKind = { readonly sampler: LightSampler };
+export type LightKind = {
+  readonly sampler: LightSampler;
+  /** The same light shining from its other side, of a kind that shines from one. */
+  readonly turn?: (light: Light) => Light;
+};
 
 /** A kind of light in a scene's list of them. */
 export type SceneLight<L> = LightKind & {

@@ -4,7 +4,7 @@ import package::basis::toLocal;
 import package::dimensions::LIGHT_PICK;
 import package::minMax::greater;
 import package::sampler::{Sampler, point};
-import package::scene::{bsdfExpect, chooseLight, lightAt, lightBoundOf, sampleKind, shapeOf};
+import package::scene::{bsdfExpect, chooseLight, doubleSidedOf, lightAt, lightBoundOf, sampleKind, shapeOf};
 import package::surface::Surface;
 
 // One light, packed by compile/packScene.ts.
@@ -98,6 +98,9 @@ fn lightShareOf(id: u32, surface: Surface) -> f32 {
   @if(!FLAT_LIGHTS) return lightShare(surface, bound);
   @if(FLAT_LIGHTS) {
     let shape = shapeOf(id);
+    @if(DOUBLE_SIDED) {
+      if (doubleSidedOf(id) > 0.0) { return lightShare(surface, bound); }
+    }
     return select(lightShare(surface, bound), flatLightShare(surface, bound, shape.xyz), shape.w == 0.0);
   }
 }

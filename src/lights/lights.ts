@@ -35,9 +35,20 @@ export function tagOf({ kind }: Light): number {
   return NAMES.indexOf(kind);
 }
 
+/** A light and the same from its other side, where its kind has one. */
+export function bothSides(light: Light): Light[] {
+  const front = { ...light, front: undefined };
+  const back = kindNamed(light.kind).turn?.(front);
+  return back ? [front, back] : [front];
+}
+
 /** How a light is sampled. */
 export function samplerOf({ kind }: Light): LightSampler {
+  return kindNamed(kind).sampler;
+}
+
+function kindNamed(kind: string): LightKind {
   const name = NAMES.find((each) => each === kind) as keyof typeof LIGHT_KINDS | undefined;
   if (!name) throw new TypeError(`no light is sampled as a ${kind}`);
-  return LIGHT_KINDS[name].sampler;
+  return LIGHT_KINDS[name];
 }

@@ -35,7 +35,9 @@ fn sampleMesh(p: vec3f, light: Light, u: vec2f, pick: vec2f) -> LightSample {
   let across = cross(normalize(edge1), normalize(edge2)) * select(1.0, -1.0, item.kind == TURNED_TRIANGLE);
   let front = select(normalize(across), vec3f(0.0), all(abs(across) < vec3f(LINE)));
   let at = squareToTriangle(u);
-  var sample = fromArea(p, item.a + at.x * edge1 + at.y * edge2, front, light.size);
+  @if(!DOUBLE_SIDED) var sample = fromArea(p, item.a + at.x * edge1 + at.y * edge2, front, light.size);
+  @if(DOUBLE_SIDED) let side = select(front, -front, light.position.z > 0.0);
+  @if(DOUBLE_SIDED) var sample = fromArea(p, item.a + at.x * edge1 + at.y * edge2, side, light.size);
   sample.id = PRIMITIVES + slot;
   @if(EMISSION_TEXTURES) {
     let uv = (1.0 - at.x - at.y) * uvs[3u * slot] + at.x * uvs[3u * slot + 1u] + at.y * uvs[3u * slot + 2u];

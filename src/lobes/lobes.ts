@@ -1,19 +1,21 @@
 // Every lobe, a line each. To add one: its fields in the material's schema, its file and shader module here, and a line below.
 
 import type { ResolvedMaterial, Vec3 } from "../scene/schema";
+import { BLACK } from "../scene/shown";
 import { coverage } from "./coverage";
 import { fresnel } from "./fresnel";
 import { ggx } from "./ggx";
 import { lambert } from "./lambert";
 import type { Column, Lobe, MaterialFeatures, MaterialPart } from "./lobe";
 import { mirror } from "./mirror";
+import { sides } from "./sides";
 
 /** By the names that the shader gives them. The first that a scene has is drawn where no other is; those of one direction come last. */
 const LOBES = { lambert, ggx, mirror } as const satisfies Readonly<Record<string, Lobe>>;
 
 /** What `Bsdf` is made of, and what only the table of materials has. */
 const OF_BSDF = { fresnel, ...LOBES } as const satisfies Readonly<Record<string, MaterialPart>>;
-const PARTS = { ...OF_BSDF, coverage } as const satisfies Readonly<Record<string, MaterialPart>>;
+const PARTS = { ...OF_BSDF, coverage, sides } as const satisfies Readonly<Record<string, MaterialPart>>;
 
 type Parts = typeof PARTS;
 type FeatureName = { [P in keyof Parts]: keyof Parts[P]["features"] }[keyof Parts];
@@ -21,21 +23,6 @@ type FeatureName = { [P in keyof Parts]: keyof Parts[P]["features"] }[keyof Part
 const FEATURES = Object.values(PARTS).flatMap(({ features }: MaterialPart) => Object.entries(features));
 
 type NamedColumn = readonly [name: string, column: Column];
-
-/** The body of a light, which reflects nothing. */
-const BLACK: ResolvedMaterial = {
-  baseColor: [0, 0, 0],
-  metallic: 0,
-  roughness: 1,
-  ior: 1,
-  emission: [0, 0, 0],
-  masking: "smith",
-  multiscatter: false,
-  alpha: 1,
-  alphaMode: "opaque",
-  alphaCutoff: 0.5,
-  normalScale: 1,
-};
 
 /** Conditions of the shader modules' `@if`s. */
 export function lobeFeatures(materials: readonly ResolvedMaterial[]) {

@@ -61,6 +61,12 @@ const ALPHA_MODES = ["opaque", "mask", "blend"] as const;
 const WRAPS = ["repeat", "mirror", "clamp"] as const;
 const FILTERS = ["linear", "nearest"] as const;
 
+/** True or false, by default false. */
+const flag = v.optional(
+  v.boolean((issue) => `expected true or false, got ${show(issue.input)}`),
+  false,
+);
+
 /** The name of one of the scene's textures. */
 const textureName = v.string((issue) => `expected the name of a texture, got ${show(issue.input)}`);
 
@@ -75,8 +81,12 @@ export const MaterialSchema = strictObject(
     roughness: v.optional(fraction, 1),
     /** Index of refraction, ≥ 1, of the dielectric part; 1 has no highlight. */
     ior: v.optional(numberThat("a finite number ≥ 1", { min: 1 }), 1.5),
-    /** Radiance in W·sr⁻¹·m⁻², from the front side only. */
+    /** Radiance in W·sr⁻¹·m⁻², from the front side only, or from both if `doubleSided`. */
     emission: v.optional(light, [0, 0, 0]),
+    /** Whether the back emits too. Both sides reflect anyway. */
+    doubleSided: flag,
+    /** Whether it shows its colour, whatever the light: it reflects nothing, and emits `baseColor` from both sides. */
+    unlit: flag,
     /** The masking function of the microfacets: height-correlated Smith, or Schlick's product form. */
     masking: choice(MASKINGS, "smith"),
     /**
@@ -85,10 +95,7 @@ export const MaterialSchema = strictObject(
      * speed of a scene of such metals. In proportion to `metallic`; a dielectric stays as glTF has it. Needs masking "smith".
      * Not reciprocal (Turquin 2019).
      */
-    multiscatter: v.optional(
-      v.boolean((issue) => `expected true or false, got ${show(issue.input)}`),
-      false,
-    ),
+    multiscatter: flag,
     /** How much of the surface is there, from 0 to 1, if `alphaMode` is not `"opaque"`. Surfaces with holes emit, but no light is sampled on them. */
     alpha: v.optional(fraction, 1),
     /** `"mask"`: it is there where alpha is `alphaCutoff` or more. `"blend"`: alpha of the light meets it, and the rest passes. */

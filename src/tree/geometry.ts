@@ -5,6 +5,7 @@ import { type AsyncBuildOptions, buildBvhAsync } from "../bvh/buildInWorker";
 import { triangleBounds } from "../bvh/triangleBounds";
 import { length, subtract } from "../math/vec3";
 import type { ResolvedScene, Vec3 } from "../scene/schema";
+import { emissionOf } from "../scene/shown";
 import { inSceneUnits } from "../shapes/sceneUnits";
 import { isMesh, itemOf, type MeshObject } from "../shapes/shapes";
 import type { BoundedPrimitive } from "./boundedShapes";
@@ -74,7 +75,7 @@ export async function prepareGeometry(
   const meshes = meshesOf(scene);
   const treeShapes = treeShapesOf(scene);
   if (meshes.length + treeShapes.length === 0) return undefined;
-  const emits = (object: MeshObject) => scene.materials[object.material]!.emission.some((value) => value > 0);
+  const emits = (object: MeshObject) => emissionOf(scene.materials[object.material]!).some((value) => value > 0);
   const emitting = meshes.flatMap(({ object, id }) => (emits(object) ? [id] : []));
   if (previous && isSame(previous, meshes, treeShapes, origin) && haveSameTexels(previous.textures, scene.textures)) {
     return areEqual(emitting, previous.emitting) ? previous : withLights(previous, emitting);

@@ -5,7 +5,7 @@ import package::lights::sphere::sphereLightPdf;
 import package::lobes::fresnel::LEAST_ALPHA;
 import package::minMax::greater;
 import package::ray::{Hit, Ray};
-import package::scene::{Bsdf, emissionOf, factorsOf, lightDensityOf, materialOf, seenFrom};
+import package::scene::{Bsdf, doubleSidedOf, emissionOf, factorsOf, lightDensityOf, materialOf, seenFrom};
 import package::shapes::mesh::consistentNormal;
 import package::surfacePoint::{SurfacePoint, sourceAt, surfacePoint};
 import package::textures::{colorAt, dataAt};
@@ -19,7 +19,7 @@ struct Surface {
   // Towards the viewer, in the local frame.
   wo: vec3f,
   bsdf: Bsdf,
-  // Radiance towards the viewer; only the front side emits.
+  // Radiance towards the viewer.
   Le: vec3f,
   // Density, per steradian, with which light sampling at the ray's origin finds this point, but for the choice of light.
   lightPdf: f32,
@@ -44,7 +44,8 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   @if(TEXTURES) uv = found.uv;
   surface.bsdf = bsdfOf(found.id, surface.wo, uv);
   @if(EMISSION) {
-    surface.Le = select(vec3f(0.0), emissionOf(found.id), found.front);
+    @if(!DOUBLE_SIDED) surface.Le = select(vec3f(0.0), emissionOf(found.id), found.front);
+    @if(DOUBLE_SIDED) surface.Le = select(vec3f(0.0), emissionOf(found.id), found.front || doubleSidedOf(found.id) > 0.0);
     @if(EMISSION_TEXTURES) surface.Le *= colorAt(factorsOf(found.id).emissionTexture, uv);
     surface.lightPdf = lightPdf(lightDensityOf(found.id), ray, hit.t, found);
   }

@@ -206,6 +206,8 @@ test("the panel takes less than a millisecond of a frame", async ({ page }) => {
       ...material,
       masking: "smith",
       multiscatter: false,
+      doubleSided: false,
+      unlit: false,
       alpha: 1,
       alphaMode: "opaque",
       alphaCutoff: 0.5,

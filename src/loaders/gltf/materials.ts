@@ -110,9 +110,6 @@ export class Materials {
     } = material.pbrMetallicRoughness ?? {};
     const { normalTexture, doubleSided } = material;
     const emission = emissionOf(material);
-    if (doubleSided && isEmissive(emission)) {
-      this.#warnings.add("A double-sided material emits from its front only", place);
-    }
     const ior = material.extensions?.KHR_materials_ior?.ior ?? 1.5;
     if (ior < 1) this.#warnings.add(`KHR_materials_ior: ${ior} is not supported: 1.5 takes its place`, place);
     return {
@@ -123,6 +120,8 @@ export class Materials {
       ...(isEmissive(emission) && { emission }),
       ...(normalTexture?.scale !== undefined && { normalScale: normalTexture.scale }),
       ...alphaOf(material),
+      ...(doubleSided && isEmissive(emission) && { doubleSided }),
+      ...(material.extensions?.KHR_materials_unlit && { unlit: true }),
     };
   }
 }

@@ -116,6 +116,7 @@ const Material = v.object({
   extensions: v.optional(
     v.object({
       KHR_materials_emissive_strength: v.optional(v.object({ emissiveStrength: v.optional(nonNegative) })),
+      KHR_materials_unlit: v.optional(v.object({})),
       KHR_materials_ior: v.optional(v.object({ ior: v.optional(nonNegative) })),
     }),
   ),

@@ -16,6 +16,7 @@ const SUPPORTED_EXTENSIONS = new Set([
   "KHR_lights_punctual",
   "KHR_materials_emissive_strength",
   "KHR_materials_ior",
+  "KHR_materials_unlit",
   "KHR_mesh_quantization",
   "KHR_texture_transform",
 ]);

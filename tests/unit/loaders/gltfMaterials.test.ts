@@ -57,6 +57,15 @@ describe("factors", () => {
     expect(odd.warnings).toEqual(["KHR_materials_ior: 0 is not supported: 1.5 takes its place (materials[0])"]);
   });
 
+  test("an emitter may have two sides, and a surface none of the light", async () => {
+    const emissiveFactor = [1, 1, 1];
+    expect((await loadMaterial({ doubleSided: true, emissiveFactor })).material).toMatchObject({ doubleSided: true });
+    expect((await loadMaterial({ doubleSided: true })).material).not.toHaveProperty("doubleSided");
+    const { material, warnings } = await loadMaterial({ extensions: { KHR_materials_unlit: {} } });
+    expect(material).toMatchObject({ unlit: true });
+    expect(warnings).toEqual([]);
+  });
+
   test("alpha is a mask with its cutoff, or blends; of an opaque material it says nothing", async () => {
     const pbrMetallicRoughness = { baseColorFactor: [1, 1, 1, 0.25] };
     const made = async (more: object) => (await loadMaterial({ pbrMetallicRoughness, ...more })).material;
@@ -239,6 +248,5 @@ test("what is not supported is listed, with the places", async () => {
     'Vertex colours are not supported: the material\'s own is shown (meshes[0] "Body")',
     'Tangents are computed from the texture coordinates, not read from the file (meshes[0] "Body")',
     "A texture is left out on meshes that lack its texture coordinates (materials[0], normalTexture)",
-    "A double-sided material emits from its front only (materials[0])",
   ]);
 });

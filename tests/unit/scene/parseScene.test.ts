@@ -40,6 +40,8 @@ describe("defaults", () => {
       alpha: 1,
       alphaMode: "opaque",
       alphaCutoff: 0.5,
+      doubleSided: false,
+      unlit: false,
       normalScale: 1,
     });
   });
@@ -123,6 +125,11 @@ describe("what is accepted", () => {
           emission: [9, 0, 0],
           masking: "smith",
           multiscatter: true,
+          alpha: 1,
+          alphaMode: "opaque",
+          alphaCutoff: 0.5,
+          doubleSided: false,
+          unlit: false,
           normalScale: 2,
         },
       },

@@ -38,6 +38,8 @@ export function createEmitter(radiance: Rgb): MeshPhysicalMaterial {
     emission: radiance,
     masking: "smith",
     multiscatter: false,
+    doubleSided: false,
+    unlit: false,
     alpha: 1,
     alphaMode: "opaque",
     alphaCutoff: 0.5,

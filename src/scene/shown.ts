@@ -1,0 +1,37 @@
+import type { ResolvedMaterial, Rgb } from "./schema";
+
+/** Radiance of a surface: one that is unlit has the colour it should show. */
+export function emissionOf({ unlit, baseColor, emission }: ResolvedMaterial): Rgb {
+  return unlit ? baseColor : emission;
+}
+
+/** The surface that looks the same: one that is unlit is black, and emits its colour from both sides. */
+export function shown(material: ResolvedMaterial): ResolvedMaterial {
+  const { unlit, baseColorTexture, alpha, alphaMode, alphaCutoff } = material;
+  if (!unlit) return material;
+  return {
+    ...BLACK,
+    ...{ alpha, alphaMode, alphaCutoff },
+    emission: emissionOf(material),
+    doubleSided: true,
+    // Which has its alpha, too.
+    ...(baseColorTexture !== undefined && { baseColorTexture, emissionTexture: baseColorTexture }),
+  };
+}
+
+/** Reflects nothing. */
+export const BLACK: ResolvedMaterial = {
+  baseColor: [0, 0, 0],
+  metallic: 0,
+  roughness: 1,
+  ior: 1,
+  emission: [0, 0, 0],
+  doubleSided: false,
+  unlit: false,
+  masking: "smith",
+  multiscatter: false,
+  alpha: 1,
+  alphaMode: "opaque",
+  alphaCutoff: 0.5,
+  normalScale: 1,
+};
