@@ -53,13 +53,14 @@ async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedS
   const textures = new Textures(json);
   const materials = new Materials(json, textures, warnings);
   const placer = new MeshPlacer(json, accessors, materials);
-  const nodes = placeNodes(json);
-  for (const node of nodes) placer.place(node);
+  const nodes = placeNodes(json, warnings);
+  const visible = nodes.filter(({ isVisible }) => isVisible);
+  for (const node of visible) placer.place(node);
   const { objects, bounds } = placer;
   if (bounds.isEmpty) warnings.add("The file has no triangles, so there is nothing to see");
 
   const camera = convertCamera(json, nodes, bounds, warnings) ?? (bounds.isEmpty ? IDLE_CAMERA : frameBounds(bounds));
-  const lights = convertLights(json, nodes, warnings);
+  const lights = convertLights(json, visible, warnings);
   warnOfBrightness(lights, bounds, warnings);
   const scene: Scene = {
     camera,

@@ -23,7 +23,7 @@ const COMPONENTS: Readonly<Record<GltfAccessor["type"], number>> = {
 };
 
 /**
- * Checks every index and every range of bytes, and that the nodes are a forest.
+ * Checks every index and every range of bytes. The nodes need not be a forest.
  *
  * @throws {LoadError} with the first thing that is wrong, and its path.
  */
@@ -175,7 +175,6 @@ function unpackedBytes(accessor: GltfAccessor): number {
 function checkScenes(json: GltfJson): void {
   const { nodes, scenes, scene = 0, extensions } = json;
   const lightCount = extensions?.KHR_lights_punctual?.lights.length ?? 0;
-  const parents = new Map<number, number>();
   nodes.forEach((node, i) => {
     checkIndex(json, "meshes", node.mesh, `nodes[${i}].mesh`);
     checkIndex(json, "cameras", node.camera, `nodes[${i}].camera`);
@@ -183,37 +182,12 @@ function checkScenes(json: GltfJson): void {
     if (light !== undefined && light >= lightCount) {
       throw new LoadError(`nodes[${i}]: expected the index of one of ${lightCount} lights, got ${light}`);
     }
-    for (const child of node.children ?? []) {
-      checkIndex(json, "nodes", child, `nodes[${i}].children`);
-      const other = parents.get(child);
-      if (other !== undefined)
-        throw new LoadError(`nodes[${child}]: is a child of both nodes[${other}] and nodes[${i}]`);
-      parents.set(child, i);
-    }
+    for (const child of node.children ?? []) checkIndex(json, "nodes", child, `nodes[${i}].children`);
   });
-  checkCycles(nodes.length, parents);
   if (scenes.length > 0 && scene >= scenes.length) {
     throw new LoadError(`scene: expected the index of one of ${scenes.length} scenes, got ${scene}`);
   }
   scenes.forEach(({ nodes: roots }, i) => {
-    for (const root of roots) {
-      checkIndex(json, "nodes", root, `scenes[${i}].nodes`);
-      if (parents.has(root)) throw new LoadError(`scenes[${i}]: nodes[${root}] is no root, but a child of another`);
-    }
-    if (new Set(roots).size < roots.length) throw new LoadError(`scenes[${i}]: has a node twice`);
+    for (const root of roots) checkIndex(json, "nodes", root, `scenes[${i}].nodes`);
   });
-}
-
-/** With one parent each, a node is on a cycle if the way up from it never ends. */
-function checkCycles(nodeCount: number, parents: ReadonlyMap<number, number>): void {
-  const isRooted = new Uint8Array(nodeCount);
-  for (let start = 0; start < nodeCount; start++) {
-    const way: number[] = [];
-    let node: number | undefined = start;
-    for (; node !== undefined && isRooted[node] === 0; node = parents.get(node)) {
-      if (way.length >= nodeCount) throw new LoadError(`nodes[${start}]: is its own ancestor`);
-      way.push(node);
-    }
-    for (const visited of way) isRooted[visited] = 1;
-  }
 }

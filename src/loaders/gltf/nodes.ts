@@ -4,42 +4,94 @@ import { mat4d, quatd } from "wgpu-matrix";
 import { LoadError } from "../../errors";
 import type { Vec3 } from "../../scene/schema";
 import { MAX_DISTANCE } from "../limits";
+import type { Warnings } from "../warnings";
+import { placeOf } from "./materials";
 import type { GltfJson } from "./schema";
 
 type GltfNode = GltfJson["nodes"][number];
 
-/** A node and its matrix: 16 doubles by columns, from its space to the world's. */
-export type PlacedNode = { readonly index: number; readonly node: GltfNode; readonly world: Float64Array };
+/** A node in its place. */
+export type PlacedNode = {
+  readonly index: number;
+  readonly node: GltfNode;
+  /** 16 doubles by columns, from its space to the world's. */
+  readonly world: Float64Array;
+  /** Whether its mesh and its light are shown: neither it nor an ancestor says otherwise, by `KHR_node_visibility`. */
+  readonly isVisible: boolean;
+};
 
 /**
- * Every node of the scene that the file shows, parents before children. Without any scene, every root is shown.
+ * Every node of the scene that the file shows, parents before children. Without any scene, all nodes.
+ *
+ * A node is placed once: as a root if the scene lists it, else under the first parent that is met. This also cuts rings.
  *
  * @throws {LoadError} if a matrix gets too large to reckon with.
  */
-export function placeNodes(json: GltfJson): PlacedNode[] {
+export function placeNodes(json: GltfJson, warnings: Warnings): PlacedNode[] {
+  const { nodes, scenes } = json;
   const placed: PlacedNode[] = [];
-  const waiting = rootsOf(json)
-    .map((index) => ({ index, parent: mat4d.identity() }))
-    .reverse();
-  for (let next = waiting.pop(); next !== undefined; next = waiting.pop()) {
-    const node = json.nodes[next.index]!;
-    const world = checkReach(mat4d.multiply(next.parent, localMatrix(node)), `nodes[${next.index}]`);
-    placed.push({ index: next.index, node, world });
-    for (const child of [...(node.children ?? [])].reverse()) waiting.push({ index: child, parent: world });
+  const roots = scenes.length > 0 ? listedRoots(json, warnings) : parentlessNodes(nodes);
+  const known = new Set(roots);
+  const placeBelow = (tops: Iterable<number>) => {
+    const waiting = [...tops].reverse().map((index) => ({ index, parent: mat4d.identity(), isShown: true }));
+    for (let next = waiting.pop(); next !== undefined; next = waiting.pop()) {
+      const { index, parent, isShown } = next;
+      const node = nodes[index]!;
+      const world = checkReach(mat4d.multiply(parent, localMatrix(node)), `nodes[${index}]`);
+      const isVisible = isShown && node.extensions?.KHR_node_visibility?.visible !== false;
+      placed.push({ index, node, world, isVisible });
+      const children = (node.children ?? []).filter((child) => {
+        const isNew = !known.has(child);
+        if (!isNew && !roots.has(child)) {
+          const place = placeOf("nodes", child, nodes[child]!.name);
+          warnings.add("A node has two parents, or is below itself: it is shown in one place only", place);
+        }
+        known.add(child);
+        return isNew;
+      });
+      for (const child of children.reverse()) waiting.push({ index: child, parent: world, isShown: isVisible });
+    }
+  };
+  placeBelow(roots);
+  // Without a scene, a ring of nodes has no root.
+  if (scenes.length === 0) {
+    for (const index of nodes.keys()) {
+      if (known.has(index)) continue;
+      known.add(index);
+      placeBelow([index]);
+    }
   }
   return placed;
+}
+
+/** The nodes that the scene lists, even those that are children of others. */
+function listedRoots({ scenes, scene = 0, nodes }: GltfJson, warnings: Warnings): ReadonlySet<number> {
+  const children = childrenOf(nodes);
+  const roots = new Set<number>();
+  for (const index of scenes[scene]!.nodes) {
+    const place = placeOf("nodes", index, nodes[index]!.name);
+    if (roots.has(index)) warnings.add("The scene lists a node twice: it is shown once", place);
+    else if (children.has(index)) {
+      warnings.add("The scene lists a node that is another's child: it is shown as a root, without its parent", place);
+    }
+    roots.add(index);
+  }
+  return roots;
+}
+
+function parentlessNodes(nodes: readonly GltfNode[]): ReadonlySet<number> {
+  const children = childrenOf(nodes);
+  return new Set([...nodes.keys()].filter((index) => !children.has(index)));
+}
+
+function childrenOf(nodes: readonly GltfNode[]): ReadonlySet<number> {
+  return new Set(nodes.flatMap(({ children = [] }) => children));
 }
 
 /** @throws {LoadError} if a matrix gets too large to reckon with. */
 export function checkReach(matrix: Float64Array, path: string): Float64Array {
   if (matrix.every((value) => Math.abs(value) <= MAX_DISTANCE)) return matrix;
   throw new LoadError(`${path}: its place or scale in the world is larger than ${MAX_DISTANCE}`);
-}
-
-function rootsOf({ scenes, scene = 0, nodes }: GltfJson): readonly number[] {
-  if (scenes.length > 0) return scenes[scene]!.nodes;
-  const children = new Set(nodes.flatMap((node) => node.children ?? []));
-  return [...nodes.keys()].filter((index) => !children.has(index));
 }
 
 function localMatrix({ matrix, translation = [0, 0, 0], rotation = [0, 0, 0, 1], scale = [1, 1, 1] }: GltfNode) {

@@ -157,6 +157,7 @@ const Node = v.object({
     v.object({
       KHR_lights_punctual: v.optional(v.object({ light: index })),
       EXT_mesh_gpu_instancing: v.optional(v.object({ attributes: Attributes })),
+      KHR_node_visibility: v.optional(v.object({ visible: isFlagged })),
     }),
   ),
 });

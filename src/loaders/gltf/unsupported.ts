@@ -18,6 +18,7 @@ const SUPPORTED_EXTENSIONS = new Set([
   "KHR_materials_ior",
   "KHR_materials_unlit",
   "KHR_mesh_quantization",
+  "KHR_node_visibility",
   "KHR_texture_transform",
 ]);
 
