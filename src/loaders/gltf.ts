@@ -52,10 +52,11 @@ async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedS
   signal?.throwIfAborted();
   const textures = new Textures(json);
   const materials = new Materials(json, textures, warnings);
-  const placer = new MeshPlacer(json, accessors, materials);
+  const placer = new MeshPlacer(json, accessors, materials, warnings);
   const nodes = placeNodes(json, warnings);
   const visible = nodes.filter(({ isVisible }) => isVisible);
   for (const node of visible) placer.place(node);
+  placer.warnOfLeftOut();
   const { objects, bounds } = placer;
   if (bounds.isEmpty) warnings.add("The file has no triangles, so there is nothing to see");
 

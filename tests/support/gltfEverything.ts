@@ -15,7 +15,7 @@ export function everythingFile(more: Readonly<Record<string, unknown>> = {}): Ui
     values: { bufferView: packer.addView(new Uint8Array(Float32Array.of(0, 2, 0).buffer)) },
   };
   const POSITION = packer.add(TRIANGLE, "VEC3", { sparse });
-  const NORMAL = packer.add(Int8Array.of(0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0).subarray(0, 9), "VEC3", {
+  const NORMAL = packer.add(Int8Array.of(0, 0, 127, 0, 0, 127, 0, 0, 127), "VEC3", {
     normalized: true,
   });
   const TEXCOORD_0 = packer.add(Uint16Array.of(0, 0, 65535, 0, 0, 65535), "VEC2", { normalized: true });

@@ -2,6 +2,7 @@
 
 import { LoadError } from "../../errors";
 import { MAX_UNPACKED_BYTES, MAX_VERTICES } from "../limits";
+import { isRead } from "./primitive";
 import type { GltfAccessor, GltfJson, GltfPrimitive } from "./schema";
 
 const COMPONENT_BYTES: Readonly<Record<GltfAccessor["componentType"], number>> = {
@@ -87,9 +88,9 @@ function checkRange(
 
 function checkMeshes(json: GltfJson): void {
   const unpacked = new Set<number>();
-  const use = (index: number, path: string, isDraco: boolean) => {
+  const use = (index: number, path: string) => {
     checkIndex(json, "accessors", index, path);
-    if (!unpacked.has(index)) checkAccessor(json, index, isDraco);
+    if (!unpacked.has(index)) checkAccessor(json, index);
     unpacked.add(index);
   };
   json.meshes.forEach(({ primitives }, i) => {
@@ -97,7 +98,7 @@ function checkMeshes(json: GltfJson): void {
   });
   json.nodes.forEach(({ extensions }, i) => {
     for (const accessor of Object.values(extensions?.EXT_mesh_gpu_instancing?.attributes ?? {})) {
-      use(accessor, `nodes[${i}].extensions.EXT_mesh_gpu_instancing`, false);
+      use(accessor, `nodes[${i}].extensions.EXT_mesh_gpu_instancing`);
     }
   });
   let bytes = 0;
@@ -114,7 +115,7 @@ function checkPrimitive(
   json: GltfJson,
   { attributes, indices, material, extensions }: GltfPrimitive,
   path: string,
-  use: (accessor: number, path: string, isDraco: boolean) => void,
+  use: (accessor: number, path: string) => void,
 ): void {
   const draco = extensions?.KHR_draco_mesh_compression;
   checkIndex(json, "materials", material, `${path}.material`);
@@ -122,29 +123,28 @@ function checkPrimitive(
   for (const semantic of Object.keys(draco?.attributes ?? {})) {
     if (!(semantic in attributes)) throw new LoadError(`${path}: packs ${semantic}, which is not among its attributes`);
   }
-  const isPacked = (semantic: string) => draco !== undefined && semantic in draco.attributes;
   const vertexCount = json.accessors[attributes.POSITION ?? -1]?.count;
   for (const [semantic, accessor] of Object.entries(attributes)) {
-    use(accessor, `${path}.attributes.${semantic}`, isPacked(semantic));
+    if (!isRead(semantic)) continue;
+    use(accessor, `${path}.attributes.${semantic}`);
     const { count } = json.accessors[accessor]!;
     if (count === vertexCount) continue;
     throw new LoadError(`${path}: has ${vertexCount ?? "no"} positions, but ${count} of ${semantic}`);
   }
   if (indices === undefined) return;
-  use(indices, `${path}.indices`, draco !== undefined);
+  use(indices, `${path}.indices`);
   const { type, componentType } = json.accessors[indices]!;
   if (type === "SCALAR" && [5121, 5123, 5125].includes(componentType)) return;
   throw new LoadError(`accessors[${indices}]: expected unsigned integers for the indices of ${path}`);
 }
 
-function checkAccessor(json: GltfJson, index: number, isDraco: boolean): void {
+function checkAccessor(json: GltfJson, index: number): void {
   const accessor = json.accessors[index]!;
   const path = `accessors[${index}]`;
   const { bufferView, count, sparse } = accessor;
   if (count > 3 * MAX_VERTICES)
     throw new LoadError(`${path}.count: at most ${3 * MAX_VERTICES} are read, got ${count}`);
   if (bufferView !== undefined) checkElements(json, bufferView, accessor, path);
-  else if (!isDraco && sparse === undefined) throw new LoadError(`${path}: has no bufferView, so no data`);
   if (sparse === undefined) return;
   if (sparse.count > count) throw new LoadError(`${path}.sparse.count: expected at most ${count}, got ${sparse.count}`);
   const { indices, values } = sparse;

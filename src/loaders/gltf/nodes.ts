@@ -88,9 +88,14 @@ function childrenOf(nodes: readonly GltfNode[]): ReadonlySet<number> {
   return new Set(nodes.flatMap(({ children = [] }) => children));
 }
 
+/** Whether a matrix has numbers to reckon with. */
+export function isWithinReach(matrix: Float64Array): boolean {
+  return matrix.every((value) => Math.abs(value) <= MAX_DISTANCE);
+}
+
 /** @throws {LoadError} if a matrix gets too large to reckon with. */
-export function checkReach(matrix: Float64Array, path: string): Float64Array {
-  if (matrix.every((value) => Math.abs(value) <= MAX_DISTANCE)) return matrix;
+function checkReach(matrix: Float64Array, path: string): Float64Array {
+  if (isWithinReach(matrix)) return matrix;
   throw new LoadError(`${path}: its place or scale in the world is larger than ${MAX_DISTANCE}`);
 }
 

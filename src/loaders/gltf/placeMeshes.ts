@@ -5,14 +5,23 @@ import { mat4d } from "wgpu-matrix";
 import { LoadError } from "../../errors";
 import { mesh } from "../../scene/builders";
 import type { SceneObject } from "../../scene/schema";
-import { Bounds } from "../bounds";
+import { Bounds, extentOf } from "../bounds";
 import { MAX_DISTANCE, MAX_OBJECTS, MAX_TRIANGLES, MAX_VERTICES } from "../limits";
-import type { Materials } from "./materials";
-import { checkReach, compose, type PlacedNode } from "./nodes";
+import type { Warnings } from "../warnings";
+import { type Materials, placeOf } from "./materials";
+import { compose, isWithinReach, type PlacedNode } from "./nodes";
 import { hasTriangles, readTriangles, type Triangles, VertexData } from "./primitive";
-import type { GltfJson } from "./schema";
+import type { GltfJson, GltfPrimitive } from "./schema";
 import { transformUvs } from "./textureCoordinates";
-import { flipWinding, isIdentity, isMirror, transformNormals, transformPositions } from "./transform";
+import {
+  flipWinding,
+  hasNoArea,
+  isIdentity,
+  isMirror,
+  reachOf,
+  transformNormals,
+  transformPositions,
+} from "./transform";
 
 /** A primitive as it is in all its places, and what may be shared between them. */
 type Shape = {
@@ -29,15 +38,19 @@ export class MeshPlacer {
   readonly #json: GltfJson;
   readonly #data: VertexData;
   readonly #materials: Materials;
+  readonly #warnings: Warnings;
+  /** Points and lines. */
+  readonly #leftOut = { primitives: 0, vertices: 0, places: new Set<string>() };
   /** By mesh. */
   readonly #shapes = new Map<number, readonly Shape[]>();
   readonly #read = new Tally();
   readonly #placed = new Tally();
 
-  constructor(json: GltfJson, accessors: readonly Accessor[], materials: Materials) {
+  constructor(json: GltfJson, accessors: readonly Accessor[], materials: Materials, warnings: Warnings) {
     this.#json = json;
     this.#data = new VertexData(accessors);
     this.#materials = materials;
+    this.#warnings = warnings;
   }
 
   /** @throws {LoadError} if that makes too many triangles. */
@@ -47,8 +60,15 @@ export class MeshPlacer {
     if (shapes.length === 0) return; // in however many places
     const instances = node.extensions?.EXT_mesh_gpu_instancing?.attributes;
     const path = `nodes[${index}]`;
-    const places = instances === undefined ? [world] : instanceMatrices(instances, this.#data, world, path);
+    const places = instances === undefined ? [world] : this.#instanceMatrices(instances, world, path);
     for (const place of places) this.#add(shapes, place);
+  }
+
+  /** Says what of the meshes placed so far is not shown. */
+  warnOfLeftOut(): void {
+    const { primitives, vertices, places } = this.#leftOut;
+    const parts = `${primitives} ${primitives === 1 ? "primitive" : "primitives"} of ${vertices} vertices`;
+    for (const place of places) this.#warnings.add(`Points and lines are not shown: ${parts} left out`, place);
   }
 
   #shapesOf(mesh: number): readonly Shape[] {
@@ -56,11 +76,14 @@ export class MeshPlacer {
     if (known !== undefined) return known;
     const shapes: Shape[] = [];
     this.#json.meshes[mesh]!.primitives.forEach((primitive, i) => {
-      if (!hasTriangles(primitive)) return;
+      if (!hasTriangles(primitive)) {
+        this.#leaveOut(primitive, mesh);
+        return;
+      }
       // Shared data is counted each time, because work and memory are spent on it each time.
       const { indices = primitive.attributes.POSITION } = primitive;
       this.#read.add(indices === undefined ? 0 : this.#data.at(indices).getCount() / 3, 0);
-      const triangles = readTriangles(primitive, this.#data, `meshes[${mesh}].primitives[${i}]`);
+      const triangles = readTriangles(primitive, this.#data, `meshes[${mesh}].primitives[${i}]`, this.#warnings);
       if (triangles === undefined) return;
       this.#read.add(0, triangles.positions.length / 3);
       const { name, coordinates } = this.#materials.choose(primitive.material, triangles.uvs);
@@ -71,7 +94,34 @@ export class MeshPlacer {
     return shapes;
   }
 
+  #leaveOut({ attributes }: GltfPrimitive, mesh: number): void {
+    const { POSITION } = attributes;
+    this.#leftOut.primitives += 1;
+    this.#leftOut.vertices += POSITION === undefined ? 0 : this.#data.at(POSITION).getCount();
+    this.#leftOut.places.add(placeOf("meshes", mesh, this.#json.meshes[mesh]!.name));
+  }
+
+  #instanceMatrices(attributes: Readonly<Record<string, number>>, world: Float64Array, path: string): Float64Array[] {
+    const data = this.#data;
+    const counts = new Set(Object.values(attributes).map((index) => data.at(index).getCount()));
+    if (counts.size > 1) throw new LoadError(`${path}: EXT_mesh_gpu_instancing has attributes of different lengths`);
+    const read = (semantic: string, i: number, initial: number[]) =>
+      attributes[semantic] === undefined ? initial : data.at(attributes[semantic]).getElement(i, [...initial]);
+    const [count = 0] = counts;
+    const matrices: Float64Array[] = [];
+    for (let i = 0; i < count; i++) {
+      const scale = read("SCALE", i, [1, 1, 1]);
+      const local = compose(read("TRANSLATION", i, [0, 0, 0]), read("ROTATION", i, [0, 0, 0, 1]), scale);
+      const matrix = mat4d.multiply(world, local);
+      if (isWithinReach(matrix)) matrices.push(matrix);
+    }
+    const lost = count - matrices.length;
+    if (lost > 0) this.#warnings.add("Instances at no finite place are left out", `${lost} of ${count} in ${path}`);
+    return matrices;
+  }
+
   #add(shapes: readonly Shape[], world: Float64Array): void {
+    if (hasNoArea(world)) return; // no ray meets it
     for (const shape of shapes) {
       const { positions, normals, indices } = shape.triangles;
       this.#placed.add(indices.length / 3, positions.length / 3);
@@ -79,8 +129,9 @@ export class MeshPlacer {
         throw new LoadError(`has more than ${MAX_OBJECTS} meshes, in all places`);
       const isInPlace = isIdentity(world);
       const placed = isInPlace ? positions : transformPositions(positions, world);
-      this.bounds.add(placed);
-      if (this.bounds.reach > MAX_DISTANCE) throw new LoadError(`has a vertex ${this.bounds.reach} m from the origin`);
+      const reach = reachOf(placed);
+      if (reach > MAX_DISTANCE) throw new LoadError(`has a vertex ${reach} m from the origin`);
+      this.bounds.add(extentOf(placed, indices));
       if (isMirror(world)) shape.flipped ??= flipWinding(indices);
       this.objects.push(
         mesh({
@@ -105,23 +156,5 @@ class Tally {
     this.#vertices += vertices;
     if (this.#triangles > MAX_TRIANGLES) throw new LoadError(`has more than ${MAX_TRIANGLES} triangles`);
     if (this.#vertices > MAX_VERTICES) throw new LoadError(`has more than ${MAX_VERTICES} vertices`);
-  }
-}
-
-function* instanceMatrices(
-  attributes: Readonly<Record<string, number>>,
-  data: VertexData,
-  world: Float64Array,
-  path: string,
-): Generator<Float64Array> {
-  const counts = new Set(Object.values(attributes).map((index) => data.at(index).getCount()));
-  if (counts.size > 1) throw new LoadError(`${path}: EXT_mesh_gpu_instancing has attributes of different lengths`);
-  const read = (semantic: string, i: number, initial: number[]) =>
-    attributes[semantic] === undefined ? initial : data.at(attributes[semantic]).getElement(i, [...initial]);
-  const [count = 0] = counts;
-  for (let i = 0; i < count; i++) {
-    const scale = read("SCALE", i, [1, 1, 1]);
-    const local = compose(read("TRANSLATION", i, [0, 0, 0]), read("ROTATION", i, [0, 0, 0, 1]), scale);
-    yield checkReach(mat4d.multiply(world, local), `${path}, instance ${i}`);
   }
 }

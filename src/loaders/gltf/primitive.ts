@@ -3,6 +3,8 @@
 import type { Accessor } from "@gltf-transform/core";
 import { LoadError } from "../../errors";
 import { MAX_VERTEX_VALUE } from "../limits";
+import type { Warnings } from "../warnings";
+import { fillFacetNormals, gather, separateBareCorners, withoutVertices } from "./repairTriangles";
 import type { GltfPrimitive } from "./schema";
 
 /** Triangles in the space of their mesh. Typed arrays may be shared with others made from the same data. */
@@ -21,10 +23,16 @@ export function hasTriangles({ mode }: GltfPrimitive): boolean {
   return mode === TRIANGLES || mode === STRIP || mode === FAN;
 }
 
+/** Whether an attribute of this name has a part in the picture. No other is looked at, so none can refuse a file. */
+export function isRead(semantic: string): boolean {
+  return /^(POSITION|NORMAL|TEXCOORD_\d+)$/.test(semantic);
+}
+
 /** Vertex data as floats, each accessor read and checked once: primitives often share them. */
 export class VertexData {
   readonly #accessors: readonly Accessor[];
   readonly #floats = new Map<Accessor, Float32Array>();
+  readonly #lost = new Map<Accessor, ReadonlySet<number>>();
 
   /** @param accessors - unpacked, by their index in the file. */
   constructor(accessors: readonly Accessor[]) {
@@ -36,9 +44,10 @@ export class VertexData {
   }
 
   /**
-   * The values as they are meant: integers that stand for fractions are those fractions.
+   * The values as they are meant: integers that stand for fractions are those fractions. A vertex with a number that is not
+   * finite, or too large, has zeros.
    *
-   * @throws {LoadError} if the data is not of this form, which Draco's may not be though the JSON says so, or not finite.
+   * @throws {LoadError} if the data is not of this form, which Draco's may not be though the JSON says so.
    */
   floats(index: number, size: number, vertexCount: number, path: string): Float32Array {
     const accessor = this.at(index);
@@ -48,49 +57,88 @@ export class VertexData {
     }
     const known = this.#floats.get(accessor);
     if (known !== undefined) return known;
-    const floats = array instanceof Float32Array ? array : toFloats(array, accessor.getNormalized());
+    const lost = new Set<number>();
+    let floats = array instanceof Float32Array ? array : toFloats(array, accessor.getNormalized());
     for (let i = 0; i < floats.length; i++) {
-      if (Math.abs(floats[i]!) <= MAX_VERTEX_VALUE) continue;
-      throw new LoadError(`${path}: number ${i} is ${floats[i]}; expected a magnitude of at most ${MAX_VERTEX_VALUE}`);
+      if (!(Math.abs(floats[i]!) <= MAX_VERTEX_VALUE)) lost.add(Math.floor(i / size));
     }
+    if (lost.size > 0) floats = floats.slice();
+    for (const vertex of lost) floats.fill(0, vertex * size, (vertex + 1) * size);
     this.#floats.set(accessor, floats);
+    this.#lost.set(accessor, lost);
     return floats;
+  }
+
+  /** The vertices that have zeros because their numbers are not finite, or too large. To be asked after `floats`. */
+  lost(index: number): ReadonlySet<number> {
+    return this.#lost.get(this.at(index))!;
   }
 }
 
 /**
- * Only vertices from the lowest to the highest index are kept: primitives often share one large array.
+ * Only vertices from the lowest to the highest index are kept: primitives often share one large array. What of the data is no
+ * number is left out or replaced, with a warning.
  *
- * @param path - of the primitive, for errors.
+ * @param path - of the primitive, for errors and warnings.
  * @returns `undefined` if there is not a single triangle.
- * @throws {LoadError} if an index is out of range or a position is not finite.
+ * @throws {LoadError} if an index is out of range.
  */
-export function readTriangles(primitive: GltfPrimitive, data: VertexData, path: string): Triangles | undefined {
+export function readTriangles(
+  primitive: GltfPrimitive,
+  data: VertexData,
+  path: string,
+  warnings: Warnings,
+): Triangles | undefined {
   const { attributes } = primitive;
   if (attributes.POSITION === undefined) return undefined;
   const vertexCount = data.at(attributes.POSITION).getCount();
   const read = (semantic: string, size: number) =>
     data.floats(attributes[semantic]!, size, vertexCount, `${path}.attributes.${semantic}`);
   const positions = read("POSITION", 3);
-  const indices = triangulate(indicesOf(primitive, data, vertexCount), primitive.mode);
+  const all = triangulate(indicesOf(primitive, data, vertexCount), primitive.mode);
+  const [, highest] = rangeOf(all);
+  if (highest >= vertexCount) throw new LoadError(`${path}.indices: vertex ${highest} is not one of ${vertexCount}`);
+  const indices = withoutVertices(all, data.lost(attributes.POSITION));
+  if (indices.length < all.length) {
+    const count = `${(all.length - indices.length) / 3} of ${all.length / 3}`;
+    warnings.add("Triangles with a corner at no finite place are left out", `${count} in ${path}`);
+  }
   if (indices.length === 0) return undefined;
 
   const [first, last] = rangeOf(indices);
-  if (last >= vertexCount) throw new LoadError(`${path}.indices: vertex ${last} is not one of ${vertexCount}`);
   if (first > 0) for (let i = 0; i < indices.length; i++) indices[i]! -= first;
-  const cut = (values: Float32Array, size: number) => values.subarray(first * size, (last + 1) * size);
+  const slice = (values: Float32Array, size: number) => values.subarray(first * size, (last + 1) * size);
+  const bare = attributes.NORMAL === undefined ? undefined : separateBareCorners(indices, slice(read("NORMAL", 3), 3));
+  if (bare !== undefined && bare.vertexCount > 0) {
+    const count = `${bare.vertexCount} of ${last - first + 1} in ${path}`;
+    warnings.add("Normals that are zero or not finite give way to the normals of their triangles", count);
+  }
+  const cut = (values: Float32Array, size: number) => gather(slice(values, size), size, bare?.repeated);
 
   const uvs = new Map<number, Float32Array>();
-  for (const semantic of Object.keys(attributes)) {
+  for (const [semantic, accessor] of Object.entries(attributes)) {
     const set = /^TEXCOORD_(\d+)$/.exec(semantic)?.[1];
-    if (set !== undefined) uvs.set(Number(set), cut(read(semantic, 2), 2));
+    if (set === undefined) continue;
+    uvs.set(Number(set), cut(read(semantic, 2), 2));
+    const count = countWithin(data.lost(accessor), first, last);
+    if (count === 0) continue;
+    warnings.add(
+      "Texture coordinates that are not finite are taken as 0",
+      `${count} of ${last - first + 1} in ${path}`,
+    );
   }
-  return {
-    positions: cut(positions, 3),
-    indices,
-    uvs,
-    ...(attributes.NORMAL !== undefined && { normals: cut(read("NORMAL", 3), 3) }),
-  };
+  const triangles = { positions: cut(positions, 3), indices, uvs };
+  if (bare === undefined || bare.isEverywhere) return triangles;
+  const normals = cut(read("NORMAL", 3), 3);
+  if (bare.repeated.length > 0) fillFacetNormals(normals, last - first + 1, triangles);
+  return { ...triangles, normals };
+}
+
+/** How many of the numbers from first to last are in a set. */
+function countWithin(numbers: ReadonlySet<number>, first: number, last: number): number {
+  let count = 0;
+  if (numbers.size > 0) for (let i = first; i <= last; i++) if (numbers.has(i)) count += 1;
+  return count;
 }
 
 function toFloats(array: NonNullable<ReturnType<Accessor["getArray"]>>, isNormalized: boolean): Float32Array {

@@ -11,6 +11,23 @@ export function isMirror(m: Float64Array): boolean {
   return m[0]! * a! + m[1]! * b! + m[2]! * c! < 0;
 }
 
+/** Of the product of lengths: an area that is all rounding. */
+const NO_AREA = 1e-12;
+
+/** Whether a matrix makes a line or a point of everything, so that nothing has an area. */
+export function hasNoArea(m: Float64Array): boolean {
+  const squaredLength = (axis: number) => m[4 * axis]! ** 2 + m[4 * axis + 1]! ** 2 + m[4 * axis + 2]! ** 2;
+  const longest = Math.max(squaredLength(0), squaredLength(1), squaredLength(2));
+  return Math.hypot(...cofactors(m)) <= NO_AREA * longest;
+}
+
+/** The largest coordinate, of either sign. */
+export function reachOf(positions: Float32Array | Float64Array): number {
+  let reach = 0;
+  for (let i = 0; i < positions.length; i++) reach = Math.max(reach, Math.abs(positions[i]!));
+  return reach;
+}
+
 /** World positions, in doubles: far from the origin, floats would bend the shape. */
 export function transformPositions(positions: Float32Array, m: Float64Array): Float64Array {
   const [m0, m1, m2, , m4, m5, m6, , m8, m9, m10, , m12, m13, m14] = m as unknown as number[];

@@ -3,6 +3,7 @@
 
 import { type Accessor, type Extension, type GLTF, type JSONDocument, Logger, WebIO } from "@gltf-transform/core";
 import { LoadError } from "../../errors";
+import { isRead } from "./primitive";
 import type { Resources } from "./resources";
 import type { GltfJson } from "./schema";
 
@@ -29,7 +30,14 @@ export async function unpackAccessors(json: GltfJson, resources: Resources): Pro
       cause,
     });
   });
-  return document.getRoot().listAccessors();
+  const accessors = document.getRoot().listAccessors();
+  for (const index of usedAccessors(json)) fillWithZeros(accessors[index]!, json.accessors[index]!.count);
+  return accessors;
+}
+
+/** glTF 2.0, 3.6.2: an accessor without data is all zeros. */
+function fillWithZeros(accessor: Accessor, count: number): void {
+  if (accessor.getArray() === null) accessor.setArray(new Uint8Array(count * accessor.getElementSize()));
 }
 
 async function loadDecoders(json: GltfJson): Promise<Decoder[]> {
@@ -60,7 +68,15 @@ async function lean(json: GltfJson, resources: Resources, extensions: readonly s
     bufferViews: json.bufferViews.map((view, i) => (views.has(i) ? view : { buffer: view.buffer, byteLength: 0 })),
     accessors: json.accessors.map((accessor, i) => (accessors.has(i) ? accessor : UNUSED)),
     meshes: json.meshes.map(({ primitives }) => ({
-      primitives: primitives.map(({ attributes, indices, extensions }) => ({ attributes, indices, extensions })),
+      primitives: primitives.map(({ attributes, indices, extensions }) => {
+        const { KHR_draco_mesh_compression: draco } = extensions ?? {};
+        const packed = draco && { ...draco, attributes: onlyRead(draco.attributes) };
+        return {
+          attributes: onlyRead(attributes),
+          indices,
+          ...(packed && { extensions: { KHR_draco_mesh_compression: packed } }),
+        };
+      }),
     })),
   };
   // Its types also say which combinations of fields make sense.
@@ -70,7 +86,7 @@ async function lean(json: GltfJson, resources: Resources, extensions: readonly s
 function usedAccessors(json: GltfJson): ReadonlySet<number> {
   const used = new Set<number>();
   for (const { attributes, indices } of primitivesOf(json)) {
-    for (const index of Object.values(attributes)) used.add(index);
+    for (const index of Object.values(onlyRead(attributes))) used.add(index);
     if (indices !== undefined) used.add(indices);
   }
   for (const { extensions } of json.nodes) {
@@ -88,6 +104,10 @@ function usedViews(json: GltfJson, accessors: ReadonlySet<number>): ReadonlySet<
   for (const { extensions } of primitivesOf(json)) used.add(extensions?.KHR_draco_mesh_compression?.bufferView);
   used.delete(undefined);
   return used as ReadonlySet<number>;
+}
+
+function onlyRead(attributes: Readonly<Record<string, number>>): Record<string, number> {
+  return Object.fromEntries(Object.entries(attributes).filter(([semantic]) => isRead(semantic)));
 }
 
 function primitivesOf(json: GltfJson) {

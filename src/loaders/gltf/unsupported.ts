@@ -4,7 +4,6 @@ import { LoadError } from "../../errors";
 import { show } from "../../scene/describe";
 import { listed, type Warnings } from "../warnings";
 import { placeOf } from "./materials";
-import { hasTriangles } from "./primitive";
 import type { GltfJson } from "./schema";
 
 const SUPPORTED_EXTENSIONS = new Set([
@@ -47,7 +46,6 @@ export function warnOfUnsupported(json: GltfJson, warnings: Warnings): void {
     for (const primitive of primitives) {
       const { attributes, targets, material } = primitive;
       const has = (semantic: string) => attributes[semantic] !== undefined;
-      if (!hasTriangles(primitive)) warnings.add("Points and lines are left out", place);
       if (targets !== undefined) warnings.add("Morph targets are not supported: the base shape is shown", place);
       if (has("COLOR_0")) warnings.add("Vertex colours are not supported: the material's own is shown", place);
       if (has("TANGENT") && has("NORMAL") && json.materials[material ?? -1]?.normalTexture) {

@@ -56,10 +56,6 @@ describe("what the JSON says and the file does not have", () => {
       (json) => Object.assign(json, { buffers: [{ byteLength: 1e15 }] }),
       "buffers[0]: should",
     ],
-    "no data for an accessor": [
-      (_, { accessors }) => Object.assign(accessors[0]!, { bufferView: undefined }),
-      "accessors[0]: has no bufferView, so no data",
-    ],
     "a mesh that is not there": [(json) => Object.assign(json.nodes[0], { mesh: 7 }), "nodes[0].mesh: expected"],
     "a fraction for an index": [
       (json) => Object.assign(json.nodes[0], { mesh: 0.5 }),
@@ -74,12 +70,6 @@ describe("what the JSON says and the file does not have", () => {
         json.meshes[0].primitives[0].attributes.NORMAL = packer.add(new Float32Array(6), "VEC3");
       },
       "meshes[0].primitives[0]: has 3 positions, but 2 of NORMAL",
-    ],
-    "positions that are not numbers": [
-      (json, packer) => {
-        json.meshes[0].primitives[0].attributes.POSITION = packer.add(new Float32Array(9).fill(NaN), "VEC3");
-      },
-      "meshes[0].primitives[0].attributes.POSITION: number 0 is NaN",
     ],
     "an index of no vertex": [
       (json, packer) => {
@@ -258,7 +248,8 @@ describe("a file with a lot to say", () => {
     expect(await complaintAbout(required)).toBe(
       'x.glb requires "EXT_0", "EXT_1", "EXT_2" and 99997 more, which is not supported',
     );
-    const attribute = triangleFile((json) => Object.assign(json.meshes[0].primitives[0].attributes, { [long]: 9 }));
+    const set = `TEXCOORD_${"1".repeat(1e6)}`;
+    const attribute = triangleFile((json) => Object.assign(json.meshes[0].primitives[0].attributes, { [set]: 9 }));
     await expect(loadGltf(attribute)).rejects.toThrow(/^.{900,1100}…$/);
     const buffers = [{ uri: long, byteLength: 1 }];
     const { message } = await loadGltf(triangleFile((json) => Object.assign(json, { buffers }))).catch(

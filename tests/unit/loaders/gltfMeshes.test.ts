@@ -63,15 +63,15 @@ describe("places", () => {
     expect([...meshes[0]!.indices]).toEqual([0, 1, 2]);
   });
 
-  test("normals stay across a surface that is stretched, and zero where they are zero", async () => {
+  test("normals stay across a surface that is stretched", async () => {
     const { meshes } = await load((json, packer) => {
       json.nodes[0].scale = [2, 1, 1];
-      const normals = Float32Array.of(HALF, HALF, 0, 0, 0, 1, 0, 0, 0);
+      const normals = Float32Array.of(HALF, HALF, 0, 0, 0, 1, 0, 0, 2);
       json.meshes[0].primitives[0].attributes.NORMAL = packer.add(normals, "VEC3");
     });
     // (1, 1) is across (1, −1), which becomes (2, −1): (1, 2) is across that.
     const [x, y] = [1 / Math.sqrt(5), 2 / Math.sqrt(5)];
-    expect(roundedNumbers(meshes[0]!.normals)).toEqual(roundedNumbers([x, y, 0, 0, 0, 1, 0, 0, 0]));
+    expect(roundedNumbers(meshes[0]!.normals)).toEqual(roundedNumbers([x, y, 0, 0, 0, 1, 0, 0, 1]));
   });
 
   test("a mesh that is flattened keeps normals across its plane", async () => {
@@ -152,8 +152,25 @@ describe("vertex data", () => {
   test.each([0, 1, 2, 3])("points and lines, mode %i, are left out, and that is said", async (mode) => {
     const { meshes, warnings } = await withMode(mode);
     expect(meshes).toEqual([]);
-    expect(warnings).toContain("Points and lines are left out (meshes[0])");
+    expect(warnings).toContain("Points and lines are not shown: 1 primitive of 4 vertices left out (meshes[0])");
     expect(warnings).toContain("The file has no triangles, so there is nothing to see");
+  });
+
+  test("points and lines beside triangles are counted, once for each mesh that is shown", async () => {
+    const { meshes, warnings } = await load((json, packer) => {
+      const attributes = { POSITION: packer.add(SQUARE, "VEC3") };
+      json.meshes[0].primitives.push({ attributes, mode: 0 }, { attributes, mode: 3 });
+      json.meshes.push(
+        { primitives: [{ attributes, mode: 1 }], name: "wire" },
+        { primitives: [{ attributes, mode: 1 }] },
+      );
+      json.nodes = [{ mesh: 0 }, { mesh: 1 }, { mesh: 0 }, { mesh: 2 }];
+      json.scenes = [{ nodes: [0, 1, 2] }];
+    });
+    expect(meshes).toHaveLength(2);
+    expect(warnings).toEqual([
+      'Points and lines are not shown: 3 primitives of 12 vertices left out (meshes[0], meshes[1] "wire")',
+    ]);
   });
 
   test("of vertices that several primitives share, each gets its own", async () => {
@@ -187,6 +204,32 @@ describe("vertex data", () => {
       packer.accessors[0]!.sparse = { count: 1, indices, values };
     });
     expect(roundedNumbers(meshes[0]!.positions)).toEqual([0, 0, 0, 4, 5, 6, 0, 1, 0]);
+  });
+
+  test("an accessor without data is zeros, which sparse data may replace", async () => {
+    const { meshes, warnings } = await load((json, packer) => {
+      const indices = { bufferView: packer.addView(Uint8Array.of(1, 2)), componentType: 5121 };
+      const values = { bufferView: packer.addView(new Uint8Array(Float32Array.of(4, 5, 6, 7, 8, 9).buffer)) };
+      const accessor = { componentType: 5126, type: "VEC3", count: 3 };
+      packer.accessors.push({ ...accessor, sparse: { count: 2, indices, values } }, { ...accessor, type: "VEC2" });
+      json.meshes[0].primitives[0].attributes = { POSITION: 1, TEXCOORD_0: 2 };
+      json.materials = [{ normalTexture: { index: 0 } }];
+      json.textures = [{}];
+      packer.accessors.push({ componentType: 5123, type: "SCALAR", count: 3 });
+      json.meshes[0].primitives.push({ attributes: { POSITION: 0 }, indices: 3 });
+    });
+    expect(roundedNumbers(meshes[0]!.positions)).toEqual([0, 0, 0, 4, 5, 6, 7, 8, 9]);
+    expect([...meshes[1]!.indices]).toEqual([0, 0, 0]);
+    expect(warnings).toEqual([]);
+  });
+
+  test("attributes that have no part in the picture are not looked at", async () => {
+    const { meshes, warnings } = await load((json, packer) => {
+      packer.accessors.push({ componentType: 5123, type: "VEC4", count: 4e9, bufferView: 77 });
+      Object.assign(json.meshes[0].primitives[0].attributes, { JOINTS_0: 1, WEIGHTS_0: 99, _BATCHID: 2 });
+    });
+    expect(meshes).toHaveLength(1);
+    expect(warnings).toEqual([]);
   });
 
   test("quantised positions and normals, KHR_mesh_quantization, are what they stand for", async () => {

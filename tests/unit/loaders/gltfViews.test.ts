@@ -95,6 +95,61 @@ describe("the camera", () => {
   });
 });
 
+describe("what takes no part in the framing", () => {
+  const cameraOf = async (change: (json: TriangleJson) => void = () => {}) => (await load(change)).scene.camera;
+  const HALF = Math.SQRT1_2;
+
+  test.each([
+    ["to a point", { scale: [0, 0, 0] }],
+    ["to a line", { scale: [1, 0, 0] }],
+    ["to a line that is turned", { scale: [0, 2, 0], rotation: [0.3, HALF, 0.1, HALF] }],
+    ["to nothing that is seen", { scale: [1e-7, 1e-7, 1e-7] }],
+  ])("an instance scaled %s, wherever it is", async (_, node) => {
+    const camera = await cameraOf((json) => {
+      json.nodes.push({ mesh: 0, translation: [1000, 0, 0], ...node });
+      json.scenes[0].nodes.push(1);
+    });
+    expect(camera).toEqual(await cameraOf());
+  });
+
+  test("an instance of EXT_mesh_gpu_instancing scaled to a point", async () => {
+    const { scene, warnings } = await loadGltf(
+      triangleFile((json, packer) => {
+        const TRANSLATION = packer.add(Float32Array.of(0, 0, 0, 1000, 0, 0), "VEC3");
+        const SCALE = packer.add(Float32Array.of(1, 1, 1, 0, 0, 0), "VEC3");
+        json.nodes[0].extensions = { EXT_mesh_gpu_instancing: { attributes: { TRANSLATION, SCALE } } };
+      }),
+    );
+    expect(parseScene(scene).camera).toEqual(await cameraOf());
+    expect(warnings).toEqual([]);
+  });
+
+  test("a triangle without area, and a vertex without triangle", async () => {
+    const { scene } = await loadGltf(
+      triangleFile((json, packer) => {
+        const far = Float32Array.of(1000, 0, 0, 5, 5, 5);
+        json.meshes[0].primitives[0] = {
+          attributes: { POSITION: packer.add(Float32Array.of(0, 0, 0, ...far, 1, 0, 0, 0, 1, 0), "VEC3") },
+          indices: packer.add(Uint16Array.of(0, 3, 4, 1, 1, 1, 1, 0, 1), "SCALAR"),
+        };
+      }),
+    );
+    expect(parseScene(scene).camera).toEqual(await cameraOf());
+  });
+
+  test("but one that is flat is seen, and a small one if nothing is larger", async () => {
+    const flat = await cameraOf((json) => {
+      json.nodes.push({ mesh: 0, translation: [1000, 0, 0], scale: [1, 1, 0] });
+      json.scenes[0].nodes.push(1);
+    });
+    expect(flat.target[0]).toBeCloseTo(500.5, 6);
+    const small = await cameraOf((json) => {
+      json.nodes[0] = { mesh: 0, scale: [1e-7, 1e-7, 1e-7] };
+    });
+    expect(small.target[0]).toBeCloseTo(5e-8, 12);
+  });
+});
+
 describe("the table", () => {
   const hasGround = (scene: { objects: readonly { type: string }[] }) =>
     scene.objects.some(({ type }) => type === "plane");
