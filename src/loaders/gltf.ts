@@ -15,6 +15,7 @@ import { parseGltfJson } from "./gltf/schema";
 import { Textures } from "./gltf/textures";
 import { unpackAccessors } from "./gltf/unpackAccessors";
 import { checkExtensions, warnOfUnsupported } from "./gltf/unsupported";
+import { applyVariant, variantNames } from "./gltf/variants";
 import type { LoadedScene, LoadOptions } from "./loadedScene";
 import { reportingAs } from "./reportingAs";
 import { Warnings } from "./warnings";
@@ -42,9 +43,10 @@ async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedS
   const { signal } = options;
   const warnings = new Warnings();
   const { json: untrusted, binary } = readContainer(bytes);
-  const json = parseGltfJson(untrusted);
-  checkExtensions(json, warnings);
-  checkReferences(json);
+  const parsed = parseGltfJson(untrusted);
+  checkExtensions(parsed, warnings);
+  checkReferences(parsed);
+  const json = applyVariant(parsed, options.variant, warnings);
   warnOfUnsupported(json, warnings);
 
   const resources = new Resources(json, binary, options);
@@ -72,7 +74,11 @@ async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedS
   };
   signal?.throwIfAborted();
   const isLit = lights.length > 0 || Object.values(materials.all).some(isLamp);
-  return { scene: isLit || bounds.isEmpty ? scene : onTable(scene, bounds), warnings: warnings.list() };
+  return {
+    scene: isLit || bounds.isEmpty ? scene : onTable(scene, bounds),
+    warnings: warnings.list(),
+    variants: variantNames(json),
+  };
 }
 
 function isLamp({ emission, emissionTexture }: Material): boolean {

@@ -16,7 +16,7 @@ export async function loadScene(bytes: Uint8Array, options: LoadOptions = {}): P
   const json = await reportingAs(name, signal, async () => (startsWith(bytes, "glTF") ? undefined : parseJson(bytes)));
   // Every glTF file has an asset, and no scene of ours.
   const isGltf = json === undefined || (typeof json === "object" && json !== null && "asset" in json);
-  if (!isGltf) return { scene: json as Scene, warnings: [] };
+  if (!isGltf) return { scene: json as Scene, warnings: [], variants: [] };
   const { loadGltf } = await reportingAs(name, signal, () => import("./gltf"));
   return loadGltf(bytes, options);
 }

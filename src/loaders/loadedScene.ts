@@ -6,6 +6,8 @@ export type LoadedScene = {
   readonly scene: Scene;
   /** What the file has that is not shown, or not as it should be: one sentence each. Empty if the scene is all of it. */
   readonly warnings: readonly string[];
+  /** The looks that the file offers, by name, for the option `variant`. */
+  readonly variants: readonly string[];
 };
 
 /** A picture: RGBA, four bytes per texel, not premultiplied by alpha, colours as stored in the file; rows from the top. */
@@ -34,4 +36,6 @@ export type LoadOptions = {
   readonly fetchResource?: (url: string, signal: AbortSignal | undefined) => Promise<Uint8Array>;
   /** Default: the browser's decoder; where there is none, a file with pictures needs one to be given. */
   readonly decodeImage?: DecodeImage;
+  /** Which of the file's variants to show, by name. Default: the materials that it has without any. */
+  readonly variant?: string;
 };

@@ -70,7 +70,7 @@ function checkBufferView(json: GltfJson, i: number): void {
   checkRange(json, view, path);
   const packed = view.extensions?.EXT_meshopt_compression;
   if (packed === undefined) return;
-  checkRange(json, packed, `${path}.extensions.EXT_meshopt_compression`);
+  checkRange(json, packed, `${path}, packed by meshopt`);
   if (packed.count * packed.byteStride === view.byteLength) return;
   throw new LoadError(`${path}: ${packed.count} × ${packed.byteStride} unpacked bytes don't fit ${view.byteLength}`);
 }
@@ -119,6 +119,9 @@ function checkPrimitive(
 ): void {
   const draco = extensions?.KHR_draco_mesh_compression;
   checkIndex(json, "materials", material, `${path}.material`);
+  for (const mapping of extensions?.KHR_materials_variants?.mappings ?? []) {
+    checkIndex(json, "materials", mapping.material, `${path}.extensions.KHR_materials_variants`);
+  }
   checkIndex(json, "bufferViews", draco?.bufferView, `${path}.extensions.KHR_draco_mesh_compression`);
   for (const semantic of Object.keys(draco?.attributes ?? {})) {
     if (!(semantic in attributes)) throw new LoadError(`${path}: packs ${semantic}, which is not among its attributes`);

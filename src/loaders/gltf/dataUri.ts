@@ -15,15 +15,20 @@ const VALUES: readonly (number | undefined)[] = (() => {
   return values;
 })();
 
+/** Whether a URI has the data within. Schemes have no case. */
+export function isDataUri(uri: string): boolean {
+  return /^data:/i.test(uri);
+}
+
 /**
- * The bytes of a data URI in base64. Decoded here and not by `fetch`, which a page's content security policy may keep from
+ * The bytes of a data URI in base64, a word without case. Decoded here and not by `fetch`, which a page's content security policy may keep from
  * `data:`, nor by `atob`, which gives a text, all at once, and in Node takes seconds for a megabyte.
  *
  * @throws {LoadError} if it is none.
  */
 export async function decodeDataUri(uri: string): Promise<Uint8Array> {
   const comma = uri.indexOf(",");
-  if (comma < 0 || !uri.slice(0, comma).endsWith(";base64")) throw new LoadError("expected a data URI in base64");
+  if (comma < 0 || !/;\s*base64\s*$/i.test(uri.slice(0, comma))) throw new LoadError("expected a data URI in base64");
   const bytes = new Uint8Array(Math.ceil(((uri.length - comma) * 3) / 4));
   let length = 0;
   let bits = 0;

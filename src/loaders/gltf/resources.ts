@@ -3,7 +3,7 @@
 import { LoadError } from "../../errors";
 import { fetchBytes } from "../fetchBytes";
 import type { LoadOptions } from "../loadedScene";
-import { decodeDataUri } from "./dataUri";
+import { decodeDataUri, isDataUri } from "./dataUri";
 import type { GltfJson } from "./schema";
 
 /** Reads what a glTF file is made of. Every method rejects with a `LoadError` that says which part is not there. */
@@ -51,7 +51,7 @@ export class Resources {
   }
 
   async #read(uri: string): Promise<Uint8Array> {
-    if (/^data:/i.test(uri)) return decodeDataUri(uri);
+    if (isDataUri(uri)) return decodeDataUri(uri);
     const { baseUrl, fetchResource = fetchBytes, signal } = this.#options;
     return fetchResource(baseUrl === undefined ? uri : new URL(uri, baseUrl).href, signal);
   }

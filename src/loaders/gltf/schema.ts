@@ -40,7 +40,18 @@ const BufferView = v.object({
   byteOffset: v.optional(index, 0),
   byteLength: count,
   byteStride: v.optional(v.pipe(count, v.maxValue(MAX_STRIDE))),
-  extensions: v.optional(v.object({ EXT_meshopt_compression: v.optional(MeshoptView) })),
+  // What KHR_meshopt_compression holds is read by the same decoder: under one name, the rest of the loader sees one extension.
+  extensions: v.optional(
+    v.pipe(
+      v.object({
+        EXT_meshopt_compression: v.optional(MeshoptView),
+        KHR_meshopt_compression: v.optional(MeshoptView),
+      }),
+      v.transform(({ EXT_meshopt_compression: ext, KHR_meshopt_compression: khr }) => ({
+        EXT_meshopt_compression: ext ?? khr,
+      })),
+    ),
+  ),
 });
 
 const SparsePart = { bufferView: index, byteOffset: v.optional(index, 0) };
@@ -130,7 +141,12 @@ const Primitive = v.object({
   mode: v.optional(v.pipe(index, v.maxValue(6)), 4),
   targets: v.optional(v.unknown()),
   extensions: v.optional(
-    v.object({ KHR_draco_mesh_compression: v.optional(v.object({ bufferView: index, attributes: Attributes })) }),
+    v.object({
+      KHR_draco_mesh_compression: v.optional(v.object({ bufferView: index, attributes: Attributes })),
+      KHR_materials_variants: v.optional(
+        v.object({ mappings: v.array(v.object({ material: index, variants: v.array(index) })) }),
+      ),
+    }),
   ),
 });
 const Mesh = v.object({ name, primitives: v.array(Primitive) });
@@ -189,7 +205,12 @@ const GltfSchema = v.object({
   scenes: list(v.object({ nodes: v.optional(v.array(index), []) })),
   scene: v.optional(index),
   animations: v.optional(v.unknown()),
-  extensions: v.optional(v.object({ KHR_lights_punctual: v.optional(v.object({ lights: v.array(Light) })) })),
+  extensions: v.optional(
+    v.object({
+      KHR_lights_punctual: v.optional(v.object({ lights: v.array(Light) })),
+      KHR_materials_variants: v.optional(v.object({ variants: v.array(v.object({ name: v.string() })) })),
+    }),
+  ),
 });
 
 /** A glTF file's JSON: well-formed, though what it refers to may not be there. */

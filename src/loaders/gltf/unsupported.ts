@@ -16,22 +16,78 @@ const SUPPORTED_EXTENSIONS = new Set([
   "KHR_materials_emissive_strength",
   "KHR_materials_ior",
   "KHR_materials_unlit",
+  "KHR_materials_variants",
   "KHR_mesh_quantization",
+  "KHR_meshopt_compression",
   "KHR_node_visibility",
   "KHR_texture_transform",
 ]);
 
 /** These say something about the file and nothing about the picture. */
-const HARMLESS_EXTENSIONS = new Set(["KHR_xmp", "KHR_xmp_json_ld", "EXT_structural_metadata", "EXT_mesh_features"]);
+const HARMLESS_EXTENSIONS =
+  /^(KHR_xmp|KHR_xmp_json_ld|EXT_structural_metadata|EXT_mesh_features|EXT_instance_features)$/;
 
-/** @throws {LoadError} if the file says that it can't be shown without an extension that is not supported. */
+/** What is lost, for extensions that are not supported and leave shapes as they are. */
+const LOSSES: Readonly<Record<string, string>> = {
+  ADOBE_materials_clearcoat_specular: "The specular colour of clear coats is not shown",
+  ADOBE_materials_clearcoat_tint: "The tint of clear coats is not shown",
+  ADOBE_materials_thin_transparency: "Thin transparency is not shown: surfaces are opaque",
+  AGI_articulations: "Articulations are not supported: the pose at rest is shown",
+  EXT_lights_ies: "The light profiles (IES) of lamps are not supported",
+  EXT_lights_image_based: "The light of the file's surroundings is not shown",
+  EXT_texture_astc: "Pictures in ASTC are not shown",
+  KHR_animation_pointer: "Animations are not supported: the pose at rest is shown",
+  KHR_materials_anisotropy: "The anisotropy of materials is not shown: reflections are stretched in no direction",
+  KHR_materials_clearcoat: "The clear coat of materials is not shown",
+  KHR_materials_diffuse_transmission: "Light that passes diffusely through materials is not shown",
+  KHR_materials_dispersion: "The dispersion of materials is not shown: light of all colours is refracted alike",
+  KHR_materials_iridescence: "The iridescence of materials is not shown",
+  KHR_materials_pbrSpecularGlossiness:
+    "Specular-glossiness materials are not supported: their metallic-roughness is shown",
+  KHR_materials_sheen: "The sheen of materials is not shown",
+  KHR_materials_specular:
+    "The strength and the colour of specular reflections are not shown: they are those of the ior",
+  KHR_materials_transmission: "The transmission of materials is not shown: they are opaque",
+  KHR_materials_volume: "What light loses within a material is not shown",
+  KHR_materials_volume_scatter: "The scattering of light within a material is not shown",
+  KHR_techniques_webgl: "Shaders of the file are not run: plain materials are shown",
+  KHR_texture_basisu: "Pictures in KTX2 are not shown",
+  MSFT_lod: "Levels of detail are not supported: the first is shown",
+  MSFT_texture_dds: "Pictures in DDS are not shown",
+};
+
+/** Families of extensions that leave shapes, places and the layout of bytes as they are, and what is lost of each. */
+const HARMLESS_FAMILIES: readonly (readonly [RegExp, string])[] = [
+  [/^[A-Z]+_materials_/, "What an extension says of materials is not shown"],
+  [/^[A-Z]+_lights_/, "Lights of an extension are not shown"],
+  [/^[A-Z]+_textures?_/, "Pictures or textures of an extension are not shown"],
+  [/^[A-Z]+_animation_/, "Animations are not supported: the pose at rest is shown"],
+  [
+    /^(KHR|MSFT|OMI|EXT)_(audio|interactivity|behavior|physics|collision|rigid|node_(selectab|hoverab))/,
+    "What an extension says of sound, motion or behaviour has no effect",
+  ],
+  [/^KHR_xmp/, "Metadata of an extension is not read"],
+];
+
+/**
+ * Warns of each extension that is not supported, and says what is lost.
+ *
+ * @throws {LoadError} if the file requires one that may change shapes, places or how its bytes are read: without it the picture
+ *   could be of anything.
+ */
 export function checkExtensions({ extensionsRequired, extensionsUsed }: GltfJson, warnings: Warnings): void {
-  const isUnknown = (name: string) => !SUPPORTED_EXTENSIONS.has(name) && !HARMLESS_EXTENSIONS.has(name);
-  const missing = extensionsRequired.filter(isUnknown).map(show);
-  if (missing.length > 0) throw new LoadError(`requires ${listed(missing)}, which is not supported`);
-  for (const name of extensionsUsed.filter(isUnknown)) {
-    warnings.add("A glTF extension is not supported, and what it says is left out", show(name));
+  const isUnknown = (name: string) => !SUPPORTED_EXTENSIONS.has(name) && !HARMLESS_EXTENSIONS.test(name);
+  const missing = extensionsRequired.filter((name) => isUnknown(name) && lossOf(name) === undefined).map(show);
+  if (missing.length > 0) {
+    throw new LoadError(`requires ${listed(missing)}, which is not supported and may change its shapes`);
   }
+  for (const name of new Set([...extensionsUsed, ...extensionsRequired].filter(isUnknown))) {
+    warnings.add(lossOf(name) ?? "A glTF extension is not supported, and what it says is left out", show(name));
+  }
+}
+
+function lossOf(name: string): string | undefined {
+  return Object.hasOwn(LOSSES, name) ? LOSSES[name] : HARMLESS_FAMILIES.find(([family]) => family.test(name))?.[1];
 }
 
 export function warnOfUnsupported(json: GltfJson, warnings: Warnings): void {

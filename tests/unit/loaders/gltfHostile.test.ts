@@ -88,8 +88,15 @@ describe("what the JSON says and the file does not have", () => {
       "nodes[0]: its place or scale in the world is larger",
     ],
     "an extension that it requires": [
-      (json) => Object.assign(json, { extensionsRequired: ["KHR_texture_basisu"] }),
-      'x.glb requires "KHR_texture_basisu", which is not supported',
+      (json) => Object.assign(json, { extensionsRequired: ["KHR_mesh_primitive_restart"] }),
+      'x.glb requires "KHR_mesh_primitive_restart", which is not supported and may change its shapes',
+    ],
+    "a material of a variant that is not there": [
+      (json) => {
+        const mappings = [{ material: 3, variants: [0] }];
+        json.meshes[0].primitives[0].extensions = { KHR_materials_variants: { mappings } };
+      },
+      "meshes[0].primitives[0].extensions.KHR_materials_variants: expected the index of one of 0 materials, got 3",
     ],
     "the wrong version": [(json) => Object.assign(json, { asset: { version: "1.0" } }), "x.glb is glTF of version 1.0"],
     "numbers for lists": [(json) => Object.assign(json, { nodes: 5 }), "x.glb: nodes: expected Array, got 5"],
@@ -246,7 +253,7 @@ describe("a file with a lot to say", () => {
     const long = "x".repeat(1e6);
     const required = triangleFile((json) => Object.assign(json, { extensionsRequired: many(1e5, (i) => `EXT_${i}`) }));
     expect(await complaintAbout(required)).toBe(
-      'x.glb requires "EXT_0", "EXT_1", "EXT_2" and 99997 more, which is not supported',
+      'x.glb requires "EXT_0", "EXT_1", "EXT_2" and 99997 more, which is not supported and may change its shapes',
     );
     const set = `TEXCOORD_${"1".repeat(1e6)}`;
     const attribute = triangleFile((json) => Object.assign(json.meshes[0].primitives[0].attributes, { [set]: 9 }));

@@ -241,7 +241,7 @@ test("what is not supported is listed, with the places", async () => {
     json.textures = [{}];
   });
   expect(warnings).toEqual([
-    'A glTF extension is not supported, and what it says is left out ("KHR_materials_transmission")',
+    'The transmission of materials is not shown: they are opaque ("KHR_materials_transmission")',
     "Animations are not supported: the pose at rest is shown",
     "Skins are not supported: the mesh is shown unbent (nodes[0])",
     'Morph targets are not supported: the base shape is shown (meshes[0] "Body")',

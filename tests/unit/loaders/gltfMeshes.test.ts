@@ -277,6 +277,15 @@ describe("files", () => {
     expect(roundedNumbers(meshesOf(scene)[0]!.positions)).toEqual([...TRIANGLE]);
   });
 
+  test.each(["DATA:application/octet-stream;BASE64,", "Data:;Base64,", "dATA:application/gltf-buffer;x=y;bAsE64,"])(
+    "%s begins such data too: neither word has a case",
+    async (start) => {
+      const base64 = btoa(String.fromCharCode(...packer.binary));
+      const { scene } = await loadGltf(gltf(start + base64));
+      expect(roundedNumbers(meshesOf(scene)[0]!.positions)).toEqual([...TRIANGLE]);
+    },
+  );
+
   test("or beside it, relative to its own address", async () => {
     const asked: string[] = [];
     const fetchResource = async (url: string) => {

@@ -9,8 +9,8 @@ const { signal } = new AbortController();
 describe("a file is told by what is in it", () => {
   test("our JSON passes as it is, right or wrong", async () => {
     const scene = { camera: { position: [0, 0, 1] }, objects: "none" };
-    expect(await loadScene(text(`\uFEFF ${JSON.stringify(scene)}`))).toEqual({ scene, warnings: [] });
-    expect(await loadScene(text("[1]"))).toEqual({ scene: [1], warnings: [] });
+    expect(await loadScene(text(`\uFEFF ${JSON.stringify(scene)}`))).toEqual({ scene, warnings: [], variants: [] });
+    expect(await loadScene(text("[1]"))).toEqual({ scene: [1], warnings: [], variants: [] });
   });
 
   test("a .glb by its first bytes, a .gltf by its asset", async () => {

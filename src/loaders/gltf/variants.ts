@@ -1,0 +1,35 @@
+// KHR_materials_variants: looks of one model, each with materials of its own.
+
+import { show } from "../../scene/describe";
+import { listed, type Warnings } from "../warnings";
+import type { GltfJson } from "./schema";
+
+/** The names of the variants, in the order of the file. */
+export function variantNames({ extensions }: GltfJson): string[] {
+  return extensions?.KHR_materials_variants?.variants.map(({ name }) => name) ?? [];
+}
+
+/**
+ * The file with the materials of one variant. A name that it does not have changes nothing, with a warning.
+ *
+ * @param wanted - a name; `undefined` for the materials without any variant.
+ */
+export function applyVariant(json: GltfJson, wanted: string | undefined, warnings: Warnings): GltfJson {
+  if (wanted === undefined) return json;
+  const names = variantNames(json);
+  const variant = names.indexOf(wanted);
+  if (variant < 0) {
+    const known = names.length > 0 ? `it has ${listed(names.map(show))}` : "it has none";
+    warnings.add(`The file has no variant ${show(wanted)}: ${known}`);
+    return json;
+  }
+  const meshes = json.meshes.map((mesh) => ({
+    ...mesh,
+    primitives: mesh.primitives.map((primitive) => {
+      const mappings = primitive.extensions?.KHR_materials_variants?.mappings;
+      const mapping = mappings?.find(({ variants }) => variants.includes(variant));
+      return mapping === undefined ? primitive : { ...primitive, material: mapping.material };
+    }),
+  }));
+  return { ...json, meshes };
+}
