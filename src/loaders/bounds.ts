@@ -28,52 +28,55 @@ function boxOf(positions: Float32Array | Float64Array, indices: Uint32Array, thr
   let [x0, y0, z0] = [Infinity, Infinity, Infinity];
   let [x1, y1, z1] = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < indices.length; i += 3) {
+    const size = twiceAreaAt(positions, indices, i);
+    if (!(size > threshold)) continue;
+    twiceArea += size;
     const a = 3 * indices[i]!;
     const b = 3 * indices[i + 1]!;
     const c = 3 * indices[i + 2]!;
-    const ax = positions[a]!;
-    const ay = positions[a + 1]!;
-    const az = positions[a + 2]!;
-    const bx = positions[b]!;
-    const by = positions[b + 1]!;
-    const bz = positions[b + 2]!;
-    const cx = positions[c]!;
-    const cy = positions[c + 1]!;
-    const cz = positions[c + 2]!;
-    const nx = (by - ay) * (cz - az) - (bz - az) * (cy - ay);
-    const ny = (bz - az) * (cx - ax) - (bx - ax) * (cz - az);
-    const nz = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
-    const size = Math.sqrt(nx * nx + ny * ny + nz * nz);
-    if (!(size > threshold)) continue;
-    twiceArea += size;
-    x0 = Math.min(x0, ax, bx, cx);
-    y0 = Math.min(y0, ay, by, cy);
-    z0 = Math.min(z0, az, bz, cz);
-    x1 = Math.max(x1, ax, bx, cx);
-    y1 = Math.max(y1, ay, by, cy);
-    z1 = Math.max(z1, az, bz, cz);
+    x0 = Math.min(x0, positions[a]!, positions[b]!, positions[c]!);
+    y0 = Math.min(y0, positions[a + 1]!, positions[b + 1]!, positions[c + 1]!);
+    z0 = Math.min(z0, positions[a + 2]!, positions[b + 2]!, positions[c + 2]!);
+    x1 = Math.max(x1, positions[a]!, positions[b]!, positions[c]!);
+    y1 = Math.max(y1, positions[a + 1]!, positions[b + 1]!, positions[c + 1]!);
+    z1 = Math.max(z1, positions[a + 2]!, positions[b + 2]!, positions[c + 2]!);
   }
   return { area: twiceArea / 2, min: [x0, y0, z0], max: [x1, y1, z1] };
+}
+
+/** Twice the area of the triangle whose first index is at `i`. */
+export function twiceAreaAt(positions: Float32Array | Float64Array, indices: Uint32Array, i: number): number {
+  const a = 3 * indices[i]!;
+  const b = 3 * indices[i + 1]!;
+  const c = 3 * indices[i + 2]!;
+  const ux = positions[b]! - positions[a]!;
+  const uy = positions[b + 1]! - positions[a + 1]!;
+  const uz = positions[b + 2]! - positions[a + 2]!;
+  const vx = positions[c]! - positions[a]!;
+  const vy = positions[c + 1]! - positions[a + 1]!;
+  const vz = positions[c + 2]! - positions[a + 2]!;
+  const x = uy * vz - uz * vy;
+  const y = uz * vx - ux * vz;
+  const z = ux * vy - uy * vx;
+  return Math.sqrt(x * x + y * y + z * z);
 }
 
 /** Of the largest area: what has less is not a pixel where all of the largest is in view, wherever it is. */
 const NEGLIGIBLE_AREA = 1e-12;
 
-/** The smallest box around all that can be seen of what was added. */
+/** The smallest box around all that can be seen of what was added. It is measured when it is first asked for. */
 export class Bounds {
-  readonly #extents: Extent[] = [];
-  #largest = 0;
-  /** Around what counts now: it is made anew when that changes. */
-  #box: { min: Vec3; max: Vec3 } | undefined;
+  readonly #parts: Parameters<typeof extentOf>[] = [];
+  #box: { readonly min: Vec3; readonly max: Vec3 } | undefined;
 
-  add(extent: Extent): void {
-    this.#extents.push(extent);
-    this.#largest = Math.max(this.#largest, extent.area);
+  /** As for `extentOf`. */
+  add(...part: Parameters<typeof extentOf>): void {
+    this.#parts.push(part);
     this.#box = undefined;
   }
 
   get isEmpty(): boolean {
-    return this.#extents.length === 0;
+    return this.#parts.length === 0;
   }
 
   get min(): Vec3 {
@@ -96,10 +99,12 @@ export class Bounds {
 
   #around() {
     if (this.#box !== undefined) return this.#box;
+    const extents = this.#parts.map((part) => extentOf(...part));
+    const largest = extents.reduce((area, extent) => Math.max(area, extent.area), 0);
     const min: [number, number, number] = [Infinity, Infinity, Infinity];
     const max: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-    for (const extent of this.#extents) {
-      if (extent.area < NEGLIGIBLE_AREA * this.#largest) continue;
+    for (const extent of extents) {
+      if (extent.area < NEGLIGIBLE_AREA * largest) continue;
       for (let axis = 0; axis < 3; axis++) {
         min[axis] = Math.min(min[axis]!, extent.min[axis]!);
         max[axis] = Math.max(max[axis]!, extent.max[axis]!);

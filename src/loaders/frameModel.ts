@@ -40,8 +40,8 @@ export type Table = {
   readonly environment: Environment;
 };
 
-/** Irradiance in the middle of the model, W·m⁻²: white shows as white, not more, at an exposure of 0. */
-const IRRADIANCE = 3.6;
+/** Of the lamp, in the middle of the model, in W·m⁻²: white shows as white, not more, at an exposure of 0. */
+export const IRRADIANCE = 3.6;
 /** A scene allows no more; a model that would want it is a hundred thousand kilometres large. */
 const MAX_POWER = 1e18;
 /** From the upper left, in front of the model: shadows fall to the right and back. */

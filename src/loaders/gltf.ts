@@ -1,6 +1,6 @@
 // The entry `rt-viewer/gltf`: glTF 2.0 files as scenes.
 
-import type { Material, Scene } from "../scene/schema";
+import type { Scene } from "../scene/schema";
 import type { Bounds } from "./bounds";
 import { frameBounds, IDLE_CAMERA, setTable } from "./frameModel";
 import { checkReferences } from "./gltf/checkReferences";
@@ -16,6 +16,7 @@ import { Textures } from "./gltf/textures";
 import { unpackAccessors } from "./gltf/unpackAccessors";
 import { checkExtensions, warnOfUnsupported } from "./gltf/unsupported";
 import { applyVariant, variantNames } from "./gltf/variants";
+import { isLit } from "./isLit";
 import type { LoadedScene, LoadOptions } from "./loadedScene";
 import { reportingAs } from "./reportingAs";
 import { Warnings } from "./warnings";
@@ -27,8 +28,10 @@ export type { DecodedImage, DecodeImage, LoadedScene, LoadOptions } from "./load
  * Makes a scene of a glTF 2.0 file, `.glb` or `.gltf`.
  *
  * The scene has the meshes in their places, surfaces with their textures, the point lights and the first camera. A file
- * without a camera gets one that has everything in view; one that nothing lights gets a ground, a lamp and a dim sky. A file
- * counts as lit if it has a light, or a material that emits without a texture: a texture only makes parts of a thing glow.
+ * without a camera gets one that has everything in view; one that nothing lights enough to be seen gets a ground, a lamp and a
+ * dim sky beside what it has. It counts as lit if its lights and what emits in it give a quarter of what the camera sees at least
+ * 0.11 W·m⁻², five stops less than that lamp, or if half of what the camera sees emits as much as white would reflect then. So a
+ * small or dim emitter does not leave a model in the dark. Shadows are not reckoned with.
  * Light's units are taken one to one: 1 cd is 1 W·sr⁻¹, and an emission of 1 is 1 W·sr⁻¹·m⁻².
  *
  * @param bytes - of the file; not kept, not changed.
@@ -73,20 +76,15 @@ async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedS
     lights,
   };
   signal?.throwIfAborted();
-  const isLit = lights.length > 0 || Object.values(materials.all).some(isLamp);
   return {
-    scene: isLit || bounds.isEmpty ? scene : onTable(scene, bounds),
+    scene: bounds.isEmpty || isLit(scene, materials.doubleSided) ? scene : onTable(scene, bounds),
     warnings: warnings.list(),
     variants: variantNames(json),
   };
 }
 
-function isLamp({ emission, emissionTexture }: Material): boolean {
-  return emission !== undefined && emissionTexture === undefined;
-}
-
 function onTable(scene: Scene, bounds: Bounds): Scene {
-  const { materials = {}, objects } = scene;
+  const { materials = {}, objects, lights = [] } = scene;
   let name = "ground";
   while (Object.hasOwn(materials, name)) name += "'";
   const { ground, groundMaterial, light, environment } = setTable(bounds, name);
@@ -94,7 +92,7 @@ function onTable(scene: Scene, bounds: Bounds): Scene {
     ...scene,
     materials: { ...materials, [name]: groundMaterial },
     objects: [...objects, ground],
-    lights: [light],
+    lights: [...lights, light],
     environment,
   };
 }

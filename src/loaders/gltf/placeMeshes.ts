@@ -5,7 +5,7 @@ import { mat4d } from "wgpu-matrix";
 import { LoadError } from "../../errors";
 import { mesh } from "../../scene/builders";
 import type { SceneObject } from "../../scene/schema";
-import { Bounds, extentOf } from "../bounds";
+import { Bounds } from "../bounds";
 import { MAX_DISTANCE, MAX_OBJECTS, MAX_TRIANGLES, MAX_VERTICES } from "../limits";
 import type { Warnings } from "../warnings";
 import { type Materials, placeOf } from "./materials";
@@ -131,7 +131,7 @@ export class MeshPlacer {
       const placed = isInPlace ? positions : transformPositions(positions, world);
       const reach = reachOf(placed);
       if (reach > MAX_DISTANCE) throw new LoadError(`has a vertex ${reach} m from the origin`);
-      this.bounds.add(extentOf(placed, indices));
+      this.bounds.add(placed, indices);
       if (isMirror(world)) shape.flipped ??= flipWinding(indices);
       this.objects.push(
         mesh({

@@ -179,7 +179,7 @@ describe("the table", () => {
   });
 
   test("a file with a light has none of it", async () => {
-    const { scene } = await load((json) => withLight(json, { type: "point" }));
+    const { scene } = await load((json) => withLight(json, { type: "point", intensity: 10 }));
     expect(hasGround(scene)).toBe(false);
     expect(scene.lights).toHaveLength(1);
     expect(scene.environment.radiance).toEqual([0, 0, 0]);
@@ -192,6 +192,12 @@ describe("the table", () => {
     });
     expect(hasGround(scene)).toBe(false);
     expect(scene.lights).toEqual([]);
+  });
+
+  test("a light that is too dim to see by stays beside the table's", async () => {
+    const { scene } = await load((json) => withLight(json, { type: "point", intensity: 0.1 }));
+    expect(hasGround(scene)).toBe(true);
+    expect(scene.lights.map(({ type }) => type)).toEqual(["point", "sphere"]);
   });
 
   test("a lamp that is not supported leaves the table", async () => {

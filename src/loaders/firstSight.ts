@@ -1,0 +1,150 @@
+// What a camera sees of meshes, in a picture of a few pixels that takes milliseconds.
+
+import { add, cross, dot, normalize, scale, subtract } from "../math/vec3";
+import type { Camera, SceneObject, Vec3 } from "../scene/schema";
+
+export type Mesh = Extract<SceneObject, { type: "mesh" }>;
+
+/** A point of a mesh, on the side from which the camera sees it. */
+export type SeenPoint = {
+  readonly mesh: Mesh;
+  readonly point: Vec3;
+  /** Of the triangle; unit, on the camera's side. */
+  readonly normal: Vec3;
+  readonly isFront: boolean;
+  /** Texture coordinates, if the mesh has any. */
+  readonly uv: readonly [number, number] | undefined;
+};
+
+/** Pixels in a row and in a column. A part that covers a tenth of the picture is in 25 of them. */
+const SIZE = 16;
+/** Tests of a pixel against a triangle: a fraction of a second. Triangles beyond them are not looked at. */
+const MAX_TESTS = 2 ** 25;
+
+/** What is met, by pixel: arrays, because a mesh can have millions of triangles. */
+type Sight = {
+  readonly depths: Float64Array;
+  /** Where the first index of the triangle is. */
+  readonly triangles: Uint32Array;
+  readonly meshes: (Mesh | undefined)[];
+  /** Weights of the triangle's second and third corner. */
+  readonly weights: Float64Array;
+  tests: number;
+};
+
+/** The first thing that is met in the middle of each pixel of a square picture; pixels that meet nothing are not there. */
+export function firstSight(camera: Camera, meshes: readonly Mesh[]): SeenPoint[] {
+  const { position, target = [0, 0, 0], up = [0, 1, 0], verticalFov = 45 } = camera;
+  const slope = Math.tan((verticalFov * Math.PI) / 360);
+  const back = normalize(subtract(position, target));
+  const right = normalize(cross(up, back));
+  // Pixels are numbered by where x / −z and y / −z are between −1 and 1.
+  const axes = [scale(right, 1 / slope), scale(cross(back, right), 1 / slope), back] as const;
+  const sight: Sight = {
+    depths: new Float64Array(SIZE * SIZE).fill(Number.POSITIVE_INFINITY),
+    triangles: new Uint32Array(SIZE * SIZE),
+    meshes: Array(SIZE * SIZE).fill(undefined),
+    weights: new Float64Array(2 * SIZE * SIZE),
+    tests: 0,
+  };
+  for (const mesh of meshes) look(mesh, toEyeSpace(mesh.positions as ArrayLike<number>, position, axes), sight);
+  return sight.meshes.flatMap((mesh, pixel) => {
+    if (mesh === undefined) return [];
+    const [v, w] = [sight.weights[2 * pixel]!, sight.weights[2 * pixel + 1]!];
+    return [toPoint(pointOf(mesh, sight.triangles[pixel]!, [1 - v - w, v, w]), mesh, position)];
+  });
+}
+
+/** Positions relative to the camera, along its axes. */
+function toEyeSpace(positions: ArrayLike<number>, origin: Vec3, axes: readonly [Vec3, Vec3, Vec3]): Float64Array {
+  const eye = new Float64Array(positions.length);
+  const [[rx, ry, rz], [ux, uy, uz], [bx, by, bz]] = axes;
+  for (let i = 0; i < eye.length; i += 3) {
+    const x = positions[i]! - origin[0];
+    const y = positions[i + 1]! - origin[1];
+    const z = positions[i + 2]! - origin[2];
+    eye[i] = x * rx + y * ry + z * rz;
+    eye[i + 1] = x * ux + y * uy + z * uz;
+    eye[i + 2] = x * bx + y * by + z * bz;
+  }
+  return eye;
+}
+
+/** Looks at one mesh more. */
+function look(mesh: Mesh, eye: Float64Array, sight: Sight): void {
+  const indices = mesh.indices as ArrayLike<number>;
+  for (let i = 0; i < indices.length && sight.tests < MAX_TESTS; i += 3) {
+    const a = 3 * indices[i]!;
+    const b = 3 * indices[i + 1]!;
+    const c = 3 * indices[i + 2]!;
+    const [az, bz, cz] = [eye[a + 2]!, eye[b + 2]!, eye[c + 2]!];
+    if (az >= 0 && bz >= 0 && cz >= 0) continue;
+    let [left, right, bottom, top] = [0, SIZE - 1, 0, SIZE - 1];
+    // One that goes past the camera may be anywhere.
+    if (az < 0 && bz < 0 && cz < 0) {
+      const [ax, bx, cx] = [-eye[a]! / az, -eye[b]! / bz, -eye[c]! / cz];
+      left = Math.max(left, Math.ceil(toPixel(Math.min(ax, bx, cx))));
+      right = Math.min(right, Math.floor(toPixel(Math.max(ax, bx, cx))));
+      if (left > right) continue;
+      const [ay, by, cy] = [-eye[a + 1]! / az, -eye[b + 1]! / bz, -eye[c + 1]! / cz];
+      bottom = Math.max(bottom, Math.ceil(toPixel(Math.min(ay, by, cy))));
+      top = Math.min(top, Math.floor(toPixel(Math.max(ay, by, cy))));
+      if (bottom > top) continue;
+    }
+    const [p, q, r] = [vectorAt(eye, a), vectorAt(eye, b), vectorAt(eye, c)];
+    const [[ux, uy, uz], [vx, vy, vz], [wx, wy, wz]] = [cross(q, r), cross(r, p), cross(p, q)];
+    const volume = p[0] * ux + p[1] * uy + p[2] * uz;
+    sight.tests += (right - left + 1) * (top - bottom + 1);
+    for (let row = bottom; row <= top; row++) {
+      const y = (2 * row + 1) / SIZE - 1;
+      for (let column = left; column <= right; column++) {
+        const x = (2 * column + 1) / SIZE - 1;
+        const u = x * ux + y * uy - uz;
+        const v = x * vx + y * vy - vz;
+        const w = x * wx + y * wy - wz;
+        const isWithin = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+        const depth = volume / (u + v + w);
+        const pixel = SIZE * row + column;
+        if (!isWithin || !(depth > 0 && depth < sight.depths[pixel]!)) continue;
+        sight.depths[pixel] = depth;
+        sight.meshes[pixel] = mesh;
+        sight.triangles[pixel] = i;
+        sight.weights[2 * pixel] = v / (u + v + w);
+        sight.weights[2 * pixel + 1] = w / (u + v + w);
+      }
+    }
+  }
+}
+
+/** Where a place between −1 and 1 is, in pixels from the middle of the first. */
+function toPixel(place: number): number {
+  return ((place + 1) * SIZE - 1) / 2;
+}
+
+function toPoint({ point, normal, uv }: ReturnType<typeof pointOf>, mesh: Mesh, eye: Vec3): SeenPoint {
+  const isFront = dot(normal, subtract(eye, point)) >= 0;
+  return { mesh, point, normal: isFront ? normal : scale(normal, -1), isFront, uv };
+}
+
+/**
+ * A point of a mesh.
+ *
+ * @param triangle - where its first index is.
+ * @param weights - of its corners; their sum is 1.
+ */
+export function pointOf(mesh: Mesh, triangle: number, weights: Vec3): Pick<SeenPoint, "point" | "normal" | "uv"> {
+  const { positions, indices, uvs } = mesh;
+  const corners = [0, 1, 2].map((corner) => indices[triangle + corner]!);
+  const [a, b, c] = corners.map((corner) => vectorAt(positions as ArrayLike<number>, 3 * corner)) as [Vec3, Vec3, Vec3];
+  const point = add(add(scale(a, weights[0]), scale(b, weights[1])), scale(c, weights[2]));
+  const uvOf = (axis: number) => corners.reduce((sum, corner, i) => sum + weights[i]! * uvs![2 * corner + axis]!, 0);
+  return {
+    point,
+    normal: normalize(cross(subtract(b, a), subtract(c, a))),
+    uv: uvs === undefined ? undefined : [uvOf(0), uvOf(1)],
+  };
+}
+
+function vectorAt(values: ArrayLike<number>, at: number): Vec3 {
+  return [values[at]!, values[at + 1]!, values[at + 2]!];
+}
