@@ -77,7 +77,7 @@ async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedS
   };
   signal?.throwIfAborted();
   return {
-    scene: bounds.isEmpty || isLit(scene, materials.doubleSided) ? scene : onTable(scene, bounds),
+    scene: bounds.isEmpty || isLit(scene) ? scene : onTable(scene, bounds),
     warnings: warnings.list(),
     variants: variantNames(json),
   };

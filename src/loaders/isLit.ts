@@ -28,18 +28,17 @@ type Emitter = {
  * That is so if a quarter of what is in view and does not emit gets a thirty-second of the irradiance that the table would give,
  * 0.11 W·m⁻² in the strongest of its colours, or if half of what is in view emits as much as a white surface would reflect then.
  * The irradiance is what arrives directly, without shadows. Of textures that emit, the texels count.
- *
- * @param doubleSided - names of the materials that emit from both sides.
  */
-export function isLit(scene: Scene, doubleSided: ReadonlySet<string>): boolean {
+export function isLit(scene: Scene): boolean {
   const { objects, materials = {}, lights = [], camera } = scene;
   const meshes = objects.filter((object) => object.type === "mesh");
-  const emitters = emittersOf(meshes, scene, doubleSided);
+  const emitters = emittersOf(meshes, scene);
   if (lights.length === 0 && emitters.length === 0) return false;
   const seen = firstSight(camera, meshes);
-  const emits = ({ mesh, isFront, uv }: SeenPoint) =>
-    (isFront || doubleSided.has(mesh.material)) &&
-    Math.max(...emissionAt(materials[mesh.material]!, uv, scene)) >= ENOUGH / Math.PI;
+  const emits = ({ mesh, isFront, uv }: SeenPoint) => {
+    const material = materials[mesh.material]!;
+    return (isFront || hasTwoSides(material)) && Math.max(...emissionAt(material, uv, scene)) >= ENOUGH / Math.PI;
+  };
   const dark = seen.filter((point) => !emits(point));
   if (dark.length <= seen.length / 2) return true;
   const lit = dark.filter((point) => Math.max(...irradianceAt(point, lights, emitters)) >= ENOUGH);
@@ -69,9 +68,9 @@ function irradianceAt({ point, normal }: SeenPoint, lights: readonly Light[], em
 }
 
 /** Points spread evenly over what emits, by its power. */
-function emittersOf(meshes: readonly Mesh[], scene: Scene, doubleSided: ReadonlySet<string>): Emitter[] {
+function emittersOf(meshes: readonly Mesh[], scene: Scene): Emitter[] {
   const { materials = {} } = scene;
-  const strengthOf = ({ material }: Mesh) => Math.max(...(materials[material]!.emission ?? [0]));
+  const strengthOf = ({ material }: Mesh) => Math.max(...emissionOf(materials[material]!));
   const emitting = meshes.filter((mesh) => strengthOf(mesh) > 0);
   let total = 0;
   for (const mesh of emitting) total += extentOf(...dataOf(mesh)).area * strengthOf(mesh);
@@ -86,7 +85,7 @@ function emittersOf(meshes: readonly Mesh[], scene: Scene, doubleSided: Readonly
       while (emitters.length < EMITTER_POINTS && passed > (emitters.length + 0.5) * step) {
         const { point, normal, uv } = pointOf(mesh, i, spreadWeights(emitters.length));
         const radiance = emissionAt(materials[mesh.material]!, uv, scene);
-        const isDoubleSided = doubleSided.has(mesh.material);
+        const isDoubleSided = hasTwoSides(materials[mesh.material]!);
         emitters.push({ point, normal, area: step / strength, radiance, isDoubleSided });
       }
     }
@@ -106,9 +105,17 @@ function spreadWeights(n: number): Vec3 {
   return [1 - root, root * (1 - v), root * v];
 }
 
+function emissionOf({ unlit, baseColor = [1, 1, 1], emission = [0, 0, 0] }: Material): Rgb {
+  return unlit ? baseColor : emission;
+}
+
+function hasTwoSides({ unlit = false, doubleSided = false }: Material): boolean {
+  return unlit || doubleSided;
+}
+
 function emissionAt(material: Material, uv: readonly [number, number] | undefined, { textures = {} }: Scene): Rgb {
-  const { emission = [0, 0, 0], emissionTexture } = material;
-  const texture = textures[emissionTexture ?? ""];
+  const emission = emissionOf(material);
+  const texture = textures[(material.unlit ? material.baseColorTexture : material.emissionTexture) ?? ""];
   if (texture === undefined || uv === undefined) return emission;
   const color = texelAt(texture, uv);
   return [emission[0] * color[0], emission[1] * color[1], emission[2] * color[2]];

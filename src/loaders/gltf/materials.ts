@@ -23,8 +23,6 @@ const DEFAULT: GltfMaterial = {};
 
 /** Makes the materials that meshes turn out to need. */
 export class Materials {
-  /** Names of those whose both sides are alike. */
-  readonly doubleSided = new Set<string>();
   readonly #json: GltfJson;
   readonly #textures: Textures;
   readonly #warnings: Warnings;
@@ -91,7 +89,6 @@ export class Materials {
     const wanted = material.name || (index === undefined ? "default" : `material ${index}`);
     const name = this.#freeName(wanted);
     this.#made[name] = { ...this.#factors(material, place), ...textures };
-    if (material.doubleSided) this.doubleSided.add(name);
     const chosen = { name, ...(coordinates !== undefined && { coordinates }) };
     this.#chosen.set(key, chosen);
     return chosen;
