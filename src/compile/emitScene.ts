@@ -67,7 +67,7 @@ ${shapes}
 fn environment() -> vec3f {
   return scene.environment[0].rgb;
 }
-${features.TEXTURES ? TEXTURE_LOOKUPS : ""}
+${features.VERTICES ? TEXTURE_LOOKUPS : ""}${emitVertexLayout(geometry)}
 ${emitLookups(tables, values)}
 ${emitLobes(features)}${emitLightSamplers(lights, features)}
 ${lightChoice}`;
@@ -78,6 +78,13 @@ const STACK_STEP = 8;
 
 function stackSizeFor(geometry: Geometry | undefined): number {
   return Math.max(Math.ceil((geometry ? geometry.depth + 1 : 0) / STACK_STEP), 1) * STACK_STEP;
+}
+
+/** Where the parts of a vertex are, in pairs of f32; see `VertexLayout`. */
+function emitVertexLayout(geometry: Geometry | undefined): string {
+  if (!geometry) return "";
+  const { stride, colors = 0, tangents = 0 } = geometry.vertexLayout;
+  return `const VERTEX_STRIDE = ${stride}u;\nconst COLOR_AT = ${colors}u;\nconst TANGENT_AT = ${tangents}u;\n`;
 }
 
 const TEXTURE_LOOKUPS = `

@@ -27,6 +27,7 @@ export function deriveFeatures(
   const hasTexture = (field: TextureField) => materials.some((material) => material[field] !== undefined);
   const families = new Set(primitives.map(({ shape }) => familyOf(shape)));
   const NORMAL_TEXTURES = hasTexture("normalTexture");
+  const COLORS = geometry?.vertexLayout.colors !== undefined;
   const isSmooth = geometry?.data.normals !== undefined;
   return {
     BALLS: families.has("ball"),
@@ -43,6 +44,11 @@ export function deriveFeatures(
     // Or a texture of them: shading goes by another normal than the surface's own.
     SHADING_NORMALS: isSmooth || NORMAL_TEXTURES,
     TEXTURES: TEXTURE_FIELDS.some(hasTexture),
+    COLORS,
+    TANGENTS: NORMAL_TEXTURES && geometry?.vertexLayout.tangents !== undefined,
+    // Vertices have more than positions and normals.
+    VERTICES: COLORS || TEXTURE_FIELDS.some(hasTexture),
+    UNLIT_COLORS: COLORS && materials.some(({ unlit }) => unlit),
     SURFACE_TEXTURES: hasTexture("baseColorTexture") || hasTexture("metallicRoughnessTexture"),
     EMISSION_TEXTURES: hasTexture("emissionTexture"),
     NORMAL_TEXTURES,
@@ -101,7 +107,12 @@ export function describeFeatures(
 
 type Words = { readonly [F in keyof Features]?: string };
 
-const SURFACE_WORDS: Words = { ...LOBE_WORDS, SMOOTH: "smooth normals", TEXTURES: "textures" };
+const SURFACE_WORDS: Words = {
+  ...LOBE_WORDS,
+  SMOOTH: "smooth normals",
+  COLORS: "vertex colours",
+  TEXTURES: "textures",
+};
 const SETTING_WORDS: Words = {
   ENVIRONMENT: "environment",
   SOBOL: "Sobol points",

@@ -33,7 +33,7 @@ export function tablesOf(
     lights: lightRows(primitives, lights, geometry),
     ...lightBoundRows(isMany ? lights : [], primitives),
     unbounded: unboundedRows(unrolling, primitives),
-    ofTextures: features.TEXTURES
+    ofTextures: features.VERTICES
       ? geometry?.textureTables(
           textures,
           primitives.map(({ material }) => material),

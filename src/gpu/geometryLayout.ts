@@ -18,7 +18,7 @@ export const GEOMETRY_BINDINGS: Readonly<Record<GeometryPart, Binding>> = {
   items: { binding: 6, feature: "TREE", row: 2048 * 3 },
   normals: { binding: 7, feature: "SMOOTH" },
   emissiveTriangles: { binding: 8, feature: "LIGHT_PICKS" },
-  uvs: { binding: 9, feature: "TEXTURES" },
+  vertices: { binding: 9, feature: "VERTICES" },
   texels: { binding: 10, feature: "TEXTURES" },
 };
 

@@ -3,8 +3,8 @@
 // [1] Walker 1977, "An Efficient Method for Generating Discrete Random Variables with General Distributions", TOMS 3(3)
 import package::lights::area::{fromArea, squareToTriangle};
 import package::lights::light::{Light, LightSample};
-import package::shapes::mesh::{LINE, uvs};
-import package::scene::{PRIMITIVES, factorsOf};
+import package::shapes::mesh::{LINE, colorOn, uvAt};
+import package::scene::{PRIMITIVES, factorsOf, unlitOf};
 import package::textures::colorAt;
 import package::tree::{TURNED_TRIANGLE, itemAt};
 
@@ -39,9 +39,8 @@ fn sampleMesh(p: vec3f, light: Light, u: vec2f, pick: vec2f) -> LightSample {
   @if(DOUBLE_SIDED) let side = select(front, -front, light.position.z > 0.0);
   @if(DOUBLE_SIDED) var sample = fromArea(p, item.a + at.x * edge1 + at.y * edge2, side, light.size);
   sample.id = PRIMITIVES + slot;
-  @if(EMISSION_TEXTURES) {
-    let uv = (1.0 - at.x - at.y) * uvs[3u * slot] + at.x * uvs[3u * slot + 1u] + at.y * uvs[3u * slot + 2u];
-    sample.estimate *= colorAt(factorsOf(item.id).emissionTexture, uv);
-  }
+  let weights = vec3f(1.0 - at.x - at.y, at);
+  @if(EMISSION_TEXTURES) sample.estimate *= colorAt(factorsOf(item.id).emissionTexture, uvAt(slot, weights));
+  @if(UNLIT_COLORS) sample.estimate *= select(vec3f(1.0), colorOn(slot, weights).rgb, unlitOf(item.id) > 0.0);
   return sample;
 }

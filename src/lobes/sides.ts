@@ -6,7 +6,7 @@ export function emitsTwice({ doubleSided, emission }: ResolvedMaterial): boolean
   return doubleSided && emission.some((value) => value > 0);
 }
 
-/** From which sides a surface emits. */
+/** From which sides a surface emits, and whether that is the colour of what is unlit. */
 export const sides = {
   features: { DOUBLE_SIDED: { isIn: emitsTwice } },
   columns: {
@@ -14,6 +14,12 @@ export const sides = {
       type: "f32",
       when: ({ DOUBLE_SIDED }) => DOUBLE_SIDED!,
       of: (material) => (emitsTwice(material) ? 1 : 0),
+    },
+    // Vertices colour what is unlit, and no other emission.
+    unlit: {
+      type: "f32",
+      when: ({ UNLIT_COLORS }) => UNLIT_COLORS!,
+      of: ({ unlit }) => (unlit ? 1 : 0),
     },
   },
 } as const satisfies MaterialPart;

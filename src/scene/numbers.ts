@@ -67,6 +67,8 @@ export type Numbers =
 export const coordinates = numbers(ANY, Float64Array);
 /** Directions and texture coordinates. */
 export const floats = numbers(ANY, Float32Array);
+/** Numbers from 0 to 1. */
+export const fractions = numbers(FRACTION, Float32Array);
 /** Integers ≥ 0. */
 export const indices = numbers(INDEX, Uint32Array);
 /** Integers from 0 to 255. Those that are kept are not copied, and those that come out are. */

@@ -13,6 +13,7 @@ import {
   finite,
   floats,
   fraction,
+  fractions,
   indices,
   light,
   numberThat,
@@ -226,9 +227,16 @@ export const ObjectSchema = byType({
       normals: v.optional(floats),
       /** u, v per vertex: where it is on the material's textures; (0, 0) is their top left corner, (1, 1) the bottom right. */
       uvs: v.optional(floats),
+      /** Red, green, blue and alpha per vertex, from 0 to 1, linear: they multiply the material's `baseColor` and `alpha`. */
+      colors: v.optional(fractions),
+      /**
+       * x, y, z per vertex, along growing u of the normal texture, and ±1: which way its v falls (glTF 2.0, 3.7.2.1). Without them, and
+       * where they are zero, the texture coordinates tell. They need `normals`.
+       */
+      tangents: v.optional(floats),
       material: materialName,
     },
-    ({ positions, indices, normals, uvs }, addIssue) => {
+    ({ positions, indices, normals, uvs, colors, tangents }, addIssue) => {
       if (positions && positions.length % 3 !== 0) {
         addIssue(["positions"], `expected three numbers per vertex, got ${positions.length} numbers`);
       }
@@ -240,6 +248,11 @@ export const ObjectSchema = byType({
       }
       if (positions && uvs && uvs.length / 2 !== positions.length / 3) {
         addIssue(["uvs"], `expected two numbers per vertex (${(2 * positions.length) / 3}), got ${uvs.length}`);
+      }
+      for (const [name, values] of Object.entries({ colors, tangents })) {
+        if (!positions || !values || values.length / 4 === positions.length / 3) continue;
+        const message = `expected four numbers per vertex (${(4 * positions.length) / 3}), got ${values.length}`;
+        addIssue([name as "colors" | "tangents"], message);
       }
       if (!positions || !indices) return;
       const vertexCount = Math.floor(positions.length / 3);

@@ -11,7 +11,7 @@ export function shown(material: ResolvedMaterial): ResolvedMaterial {
   if (!unlit) return material;
   return {
     ...BLACK,
-    ...{ alpha, alphaMode, alphaCutoff },
+    ...{ unlit, alpha, alphaMode, alphaCutoff },
     emission: emissionOf(material),
     doubleSided: true,
     // Which has its alpha, too.

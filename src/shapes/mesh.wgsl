@@ -6,7 +6,7 @@
 import package::constants::NONE;
 import package::minMax::{greater, lesser};
 import package::ray::Ray;
-import package::scene::factorsOf;
+import package::scene::{COLOR_AT, TANGENT_AT, VERTEX_STRIDE, factorsOf};
 import package::textures::{Factors, dataAt};
 import package::tree::{Item, TURNED_TRIANGLE};
 
@@ -15,9 +15,9 @@ import package::tree::{Item, TURNED_TRIANGLE};
 @if(SMOOTH)
 @group(0) @binding(7) var<storage, read> normals: array<u32>;
 
-// Texture coordinates, likewise. Written by the renderer when the geometry changes.
-@if(TEXTURES)
-@group(0) @binding(9) var<storage, read> uvs: array<vec2f>;
+// Likewise what else vertices have, in pairs of f32: see tree/vertexLayout.ts. Written by the renderer when the geometry changes.
+@if(VERTICES)
+@group(0) @binding(9) var<storage, read> vertices: array<vec2f>;
 
 // [1] eq. 6.15 bounds the rounding of a point of barycentric coordinates by γ₇, 7 half ULP, of the sum below; a WGSL device
 // may round either way, which makes it 7 ULP, and what is added to the point is itself rounded once more.
@@ -47,6 +47,7 @@ struct MeshPoint {
   @if(SHADING_NORMALS) shading: vec3f,
   // Interpolated.
   @if(TEXTURES) uv: vec2f,
+  @if(COLORS) color: vec4f,
 }
 
 fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
@@ -77,10 +78,11 @@ fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
   found.n = select(normal, -normal, item.kind == TURNED_TRIANGLE);
   found.clearance = dot(abs(normal), error);
   @if(TEXTURES) found.uv = uvAt(slot, weights);
+  @if(COLORS) found.color = colorOn(slot, weights);
   @if(SHADING_NORMALS) {
     var shading = found.n;
     @if(SMOOTH) shading = interpolatedNormal(slot, weights, found.n);
-    @if(NORMAL_TEXTURES) shading = texturedNormal(slot, factorsOf(item.id), found.uv, shading, e1, e2);
+    @if(NORMAL_TEXTURES) shading = texturedNormal(slot, weights, factorsOf(item.id), found.uv, shading, e1, e2);
     found.shading = select(shading, -shading, dot(shading, found.n) < 0.0);
   }
   return found;
@@ -100,25 +102,49 @@ fn interpolatedNormal(slot: u32, weights: vec3f, n: vec3f) -> vec3f {
 
 @if(TEXTURES)
 fn uvAt(slot: u32, weights: vec3f) -> vec2f {
-  return weights.x * uvs[3u * slot] + weights.y * uvs[3u * slot + 1u] + weights.z * uvs[3u * slot + 2u];
+  return weights.x * vertexPart(slot, 0u, 0u) + weights.y * vertexPart(slot, 1u, 0u) + weights.z * vertexPart(slot, 2u, 0u);
+}
+
+// A pair of what a corner of a triangle has.
+@if(VERTICES)
+fn vertexPart(slot: u32, corner: u32, at: u32) -> vec2f {
+  return vertices[(3u * slot + corner) * VERTEX_STRIDE + at];
+}
+
+@if(COLORS)
+fn colorOn(slot: u32, weights: vec3f) -> vec4f {
+  return quadOn(slot, weights, COLOR_AT);
+}
+
+// Two pairs, interpolated.
+@if(COLORS || TANGENTS)
+fn quadOn(slot: u32, weights: vec3f, at: u32) -> vec4f {
+  var sum = vec4f(0.0);
+  for (var i = 0u; i < 3u; i++) { sum += weights[i] * vec4f(vertexPart(slot, i, at), vertexPart(slot, i, at + 1u)); }
+  return sum;
 }
 
 // The normal that a texture tells, in glTF's tangent space: x along growing u, y along falling v. e1 and e2 are the triangle's
 // edges from its first vertex, in any unit.
 @if(NORMAL_TEXTURES)
-fn texturedNormal(slot: u32, factors: Factors, uv: vec2f, n: vec3f, e1: vec3f, e2: vec3f) -> vec3f {
-  let d1 = uvs[3u * slot + 1u] - uvs[3u * slot];
-  let d2 = uvs[3u * slot + 2u] - uvs[3u * slot];
+fn texturedNormal(slot: u32, weights: vec3f, factors: Factors, uv: vec2f, n: vec3f, e1: vec3f, e2: vec3f) -> vec3f {
+  let d1 = vertexPart(slot, 1u, 0u) - vertexPart(slot, 0u, 0u);
+  let d2 = vertexPart(slot, 2u, 0u) - vertexPart(slot, 0u, 0u);
   let turn = sign(d1.x * d2.y - d1.y * d2.x);
   let alongU = (e1 * d2.y - e2 * d1.y) * turn;
   let alongV = (e2 * d1.x - e1 * d2.x) * turn;
-  let flat = alongU - dot(alongU, n) * n;
+  @if(!TANGENTS) let along = alongU;
+  @if(TANGENTS) let given = quadOn(slot, weights, TANGENT_AT);
+  @if(TANGENTS) let along = select(alongU, given.xyz, given.w != 0.0);
+  let flat = along - dot(along, n) * n;
   let size = length(flat);
   // Where the texture is stretched over no area, it has no directions.
   if (factors.normalTexture == NONE || size < NO_DIRECTION) { return n; }
   let tangent = flat / size;
   let side = cross(n, tangent);
-  let bitangent = select(side, -side, dot(side, alongV) > 0.0);
+  @if(!TANGENTS) let isOther = dot(side, alongV) > 0.0;
+  @if(TANGENTS) let isOther = select(dot(side, alongV) > 0.0, given.w < 0.0, given.w != 0.0);
+  let bitangent = select(side, -side, isOther);
   let told = 2.0 * dataAt(factors.normalTexture, uv) - 1.0;
   let bent = factors.normalScale * (told.x * tangent + told.y * bitangent) + told.z * n;
   return normalize(select(bent, n, dot(bent, bent) < NO_DIRECTION));

@@ -17,6 +17,7 @@ import { haveSameTexels, type Textures, texelParts } from "./packTexels";
 import { packTree } from "./packTree";
 import { textureTables } from "./textureTables";
 import { treeShapesOf } from "./treeShapes";
+import { type VertexLayout, vertexLayoutOf } from "./vertexLayout";
 
 // Triangles in a leaf of the tree, at most. The shader was as quick with 4 for 1,000 triangles, and 10 % slower for 100,000.
 const MAX_LEAF = 2;
@@ -29,8 +30,8 @@ export type GeometryData = {
   readonly normals: ArrayBuffer | undefined;
   /** Undefined where no mesh emits. */
   readonly emissiveTriangles: ArrayBuffer | undefined;
-  /** Undefined where no material has textures. */
-  readonly uvs: ArrayBuffer | undefined;
+  /** Undefined where no material has textures, and no mesh colours. */
+  readonly vertices: ArrayBuffer | undefined;
   /** One after the other. */
   readonly texels: readonly Uint8Array[] | undefined;
 };
@@ -50,6 +51,8 @@ export type Geometry = {
   readonly treeShapes: readonly BoundedPrimitive[];
   /** Slots of those, by the ids of their primitives. */
   readonly shapes: ReadonlyMap<number, number>;
+  /** What the vertices of triangles have. */
+  readonly vertexLayout: VertexLayout;
   /** Levels of the tree below its root: as many links may wait while a ray is traced. */
   readonly depth: number;
   readonly data: GeometryData;
@@ -99,9 +102,13 @@ export async function prepareGeometry(
   const shapes = new Map(treeShapes.map(({ id }, i) => [id, slotOf[triangleCount + i]!]));
   const { textures } = scene;
   const texels = texelParts(textures);
-  const data = { nodes: packTree(bvh), ...packItems(parts, treeShapes, slotOf, texels !== undefined), texels };
+  const vertexLayout = vertexLayoutOf(parts, texels !== undefined);
+  const data = { nodes: packTree(bvh), ...packItems(parts, treeShapes, slotOf, vertexLayout), texels };
   const { depth } = bvh;
-  return withLights({ origin, parts, treeShapes, shapes, textures, textureTables, slotOf, depth, data }, emitting);
+  return withLights(
+    { origin, parts, treeShapes, shapes, textures, textureTables, slotOf, depth, vertexLayout, data },
+    emitting,
+  );
 }
 
 function meshesOf(scene: ResolvedScene): { object: MeshObject; id: number }[] {
@@ -168,7 +175,7 @@ function isSameItem(a: BoundedPrimitive, b: BoundedPrimitive): boolean {
   return item.w === before.w && item.vectors.every((vector, i) => areEqual(vector, before.vectors[i]!));
 }
 
-const GEOMETRY_FIELDS = ["positions", "indices", "normals", "uvs"] as const;
+const GEOMETRY_FIELDS = ["positions", "indices", "normals", "uvs", "colors", "tangents"] as const;
 
 function areEqual(a: ArrayLike<number> | undefined, b: ArrayLike<number> | undefined): boolean {
   if (a === b) return true;

@@ -2,6 +2,7 @@ import { NO_NORMAL, packDirections } from "../math/octahedral";
 import { itemOf } from "../shapes/shapes";
 import type { BoundedPrimitive } from "./boundedShapes";
 import type { MeshPart } from "./meshPart";
+import { type VertexLayout, writeVertex } from "./vertexLayout";
 
 const ITEM_WORDS = 12;
 // Kinds of items: the two that are triangles of a mesh.
@@ -12,8 +13,8 @@ export type PackedItems = {
   readonly items: ArrayBuffer;
   /** Of the three vertices of each triangle; undefined where no mesh has normals. */
   readonly normals: ArrayBuffer | undefined;
-  /** Likewise; undefined unless asked for. */
-  readonly uvs: ArrayBuffer | undefined;
+  /** Likewise what else vertices have; undefined where that is nothing. */
+  readonly vertices: ArrayBuffer | undefined;
 };
 
 /**
@@ -27,14 +28,14 @@ export function packItems(
   parts: readonly MeshPart[],
   shapes: readonly BoundedPrimitive[],
   slotOf: Uint32Array,
-  hasTextures: boolean,
+  layout: VertexLayout,
 ): PackedItems {
   const count = Math.max(slotOf.length, 1); // WebGPU has no empty buffers
   const items = new ArrayBuffer(4 * ITEM_WORDS * count);
   const [floats, words] = [new Float32Array(items), new Uint32Array(items)];
   const isSmooth = parts.some(({ object }) => object.normals !== undefined);
   const normals = isSmooth ? new Uint32Array(3 * count).fill(NO_NORMAL) : undefined;
-  const uvs = hasTextures ? new Float32Array(6 * count) : undefined;
+  const vertices = layout.stride > 0 ? new Float32Array(6 * layout.stride * count) : undefined;
 
   for (const { object, id, positions, firstTriangle } of parts) {
     const { indices } = object;
@@ -51,10 +52,7 @@ export function packItems(
         const vertex = corners[corner]!;
         for (let axis = 0; axis < 3; axis++) floats[at + 4 * corner + axis] = positions[3 * vertex + axis]!;
         if (normals && vertexNormals) normals[3 * slot + corner] = vertexNormals[vertex]!;
-        if (uvs && object.uvs) {
-          uvs[6 * slot + 2 * corner] = object.uvs[2 * vertex]!;
-          uvs[6 * slot + 2 * corner + 1] = object.uvs[2 * vertex + 1]!;
-        }
+        if (vertices) writeVertex(vertices, 2 * layout.stride * (3 * slot + corner), vertex, object, layout);
       }
     }
   }
@@ -66,7 +64,7 @@ export function packItems(
     words[at + 7] = tag;
     floats[at + 11] = w;
   }
-  return { items, normals: normals?.buffer, uvs: uvs?.buffer };
+  return { items, normals: normals?.buffer, vertices: vertices?.buffer };
 }
 
 /** Sorts three vertices by their positions, and tells whether that turned the triangle round. */

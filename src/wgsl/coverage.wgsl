@@ -3,10 +3,10 @@
 import package::ray::Ray;
 import package::sampler::{Sampler, pcg3d, unitInterval};
 import package::scene::{PRIMITIVES, coverageOf, cutoffOf, factorsOf};
-import package::shapes::mesh::uvAt;
+import package::shapes::mesh::{colorOn, uvAt};
 import package::surfacePoint::primitiveOf;
 import package::textures::alphaAt;
-import package::tree::itemAt;
+import package::tree::{TURNED_TRIANGLE, itemAt};
 
 // What the next ray's chances come from. Each surface on its way has its own, by its number and distance.
 var<private> chances: vec2u;
@@ -21,10 +21,13 @@ fn isCovered(ray: Ray, t: f32, id: u32) -> bool {
   let cutoff = cutoffOf(primitive);
   if (cutoff == 0.0) { return true; }
   var alpha = coverageOf(primitive);
-  @if(ALPHA_TEXTURES) {
-    if (id >= PRIMITIVES) {
+  @if(ALPHA_TEXTURES || COLORS) {
+    // Of shapes only meshes have vertices.
+    if (id >= PRIMITIVES && itemAt(id - PRIMITIVES).kind <= TURNED_TRIANGLE) {
       let slot = id - PRIMITIVES;
-      alpha *= alphaAt(factorsOf(primitive).baseColorTexture, uvAt(slot, weightsAt(ray, t, slot)));
+      let weights = weightsAt(ray, t, slot);
+      @if(ALPHA_TEXTURES) alpha *= alphaAt(factorsOf(primitive).baseColorTexture, uvAt(slot, weights));
+      @if(COLORS) alpha *= colorOn(slot, weights).a;
     }
   }
   if (cutoff > 0.0) { return alpha >= cutoff; }
@@ -33,7 +36,7 @@ fn isCovered(ray: Ray, t: f32, id: u32) -> bool {
 }
 
 // Barycentric coordinates of where the ray meets a triangle of a mesh.
-@if(ALPHA_TEXTURES)
+@if(ALPHA_TEXTURES || COLORS)
 fn weightsAt(ray: Ray, t: f32, slot: u32) -> vec3f {
   let item = itemAt(slot);
   let e1 = item.b - item.a;

@@ -5,7 +5,7 @@ import package::lights::sphere::sphereLightPdf;
 import package::lobes::fresnel::LEAST_ALPHA;
 import package::minMax::greater;
 import package::ray::{Hit, Ray};
-import package::scene::{Bsdf, doubleSidedOf, emissionOf, factorsOf, lightDensityOf, materialOf, seenFrom};
+import package::scene::{Bsdf, doubleSidedOf, emissionOf, factorsOf, lightDensityOf, materialOf, seenFrom, unlitOf};
 import package::shapes::mesh::consistentNormal;
 import package::surfacePoint::{SurfacePoint, sourceAt, surfacePoint};
 import package::textures::{colorAt, dataAt};
@@ -42,10 +42,13 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   surface.wo = toLocal(surface.frame, -ray.d);
   var uv = vec2f(0.0);
   @if(TEXTURES) uv = found.uv;
-  surface.bsdf = bsdfOf(found.id, surface.wo, uv);
+  var color = vec3f(1.0);
+  @if(COLORS) color = found.color.rgb;
+  surface.bsdf = bsdfOf(found.id, surface.wo, uv, color);
   @if(EMISSION) {
     @if(!DOUBLE_SIDED) surface.Le = select(vec3f(0.0), emissionOf(found.id), found.front);
     @if(DOUBLE_SIDED) surface.Le = select(vec3f(0.0), emissionOf(found.id), found.front || doubleSidedOf(found.id) > 0.0);
+    @if(UNLIT_COLORS) surface.Le *= select(vec3f(1.0), found.color.rgb, unlitOf(found.id) > 0.0);
     @if(EMISSION_TEXTURES) surface.Le *= colorAt(factorsOf(found.id).emissionTexture, uv);
     surface.lightPdf = lightPdf(lightDensityOf(found.id), ray, hit.t, found);
   }
@@ -53,18 +56,21 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   return surface;
 }
 
-// How a primitive scatters towards the viewer, at texture coordinates.
-fn bsdfOf(id: u32, wo: vec3f, uv: vec2f) -> Bsdf {
+// How a primitive scatters towards the viewer, at texture coordinates and with the colour of its vertices.
+fn bsdfOf(id: u32, wo: vec3f, uv: vec2f, color: vec3f) -> Bsdf {
   var material = materialOf(id);
-  @if(SURFACE_TEXTURES) {
+  @if(SURFACE_TEXTURES || COLORS) {
     let factors = factorsOf(id);
-    let base = factors.baseColor * colorAt(factors.baseColorTexture, uv);
-    let data = dataAt(factors.metallicRoughnessTexture, uv);
+    var base = factors.baseColor * color;
+    var data = vec3f(1.0);
+    @if(SURFACE_TEXTURES) base *= colorAt(factors.baseColorTexture, uv);
+    @if(SURFACE_TEXTURES) data = dataAt(factors.metallicRoughnessTexture, uv);
     let metallic = factors.metallic * data.b;
     let roughness = factors.roughness * data.g;
     @if(DIFFUSE) material.diffuse = (1.0 - metallic) * base;
     @if(SPECULAR) {
-      let isTextured = min(factors.baseColorTexture, factors.metallicRoughnessTexture) != NONE;
+      var isTextured = min(factors.baseColorTexture, factors.metallicRoughnessTexture) != NONE;
+      @if(COLORS) isTextured |= any(color != vec3f(1.0));
       material.F0 = select(material.F0, mix(vec3f(material.f0), base, metallic), isTextured);
       // A texture makes no perfect mirrors, nor takes any away: a scene's lobes do not depend on texels.
       material.alpha = select(material.alpha, max(roughness * roughness, LEAST_ALPHA), isTextured && material.alpha > 0.0);

@@ -21,6 +21,8 @@ struct SurfacePoint {
   // Of a triangle of a mesh: see MeshPoint.
   @if(SHADING_NORMALS) shading: vec3f,
   @if(TEXTURES) uv: vec2f,
+  // Of the vertices; white where they have none.
+  @if(COLORS) color: vec4f,
 }
 
 fn surfacePoint(ray: Ray, hit: Hit) -> SurfacePoint {
@@ -79,6 +81,7 @@ fn surfacePoint(ray: Ray, hit: Hit) -> SurfacePoint {
   }
   @if(SHADING_NORMALS && MESHES) found.shading = triangle.shading;
   @if(TEXTURES && MESHES) found.uv = triangle.uv;
+  @if(COLORS) found.color = select(vec4f(1.0), triangle.color, found.isTriangle);
   found.p = p;
   found.n = n;
   found.front = dot(ray.d, n) < 0.0;

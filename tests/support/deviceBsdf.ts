@@ -15,7 +15,7 @@ export type BsdfInput = {
 /** f·cos and the density of sampling, as `bsdfEval` gives them: four floats per input. */
 export function evaluateBsdf(materials: readonly Material[], inputs: readonly BsdfInput[]): Promise<Float32Array> {
   const body = `
-    let value = bsdfEval(bsdfOf(id, wo, vec2f(0.0)), wo, x.xyz);
+    let value = bsdfEval(bsdfOf(id, wo, vec2f(0.0), vec3f(1.0)), wo, x.xyz);
     outputs[i] = bitcast<vec4u>(vec4f(value.f, value.pdf));`;
   return run(materials, inputs, 1, body);
 }
@@ -26,7 +26,7 @@ export function sampleBsdf(materials: readonly Material[], inputs: readonly Bsdf
     materials,
     inputs,
     2,
-    `let drawn = bsdfSample(bsdfOf(id, wo, vec2f(0.0)), wo, x.xy, x.z);
+    `let drawn = bsdfSample(bsdfOf(id, wo, vec2f(0.0), vec3f(1.0)), wo, x.xy, x.z);
     outputs[2u * i] = bitcast<vec4u>(vec4f(drawn.wi, drawn.pdf));
     outputs[2u * i + 1u] = bitcast<vec4u>(vec4f(drawn.weight, 0.0));`,
   );

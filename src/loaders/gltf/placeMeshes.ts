@@ -21,6 +21,7 @@ import {
   reachOf,
   transformNormals,
   transformPositions,
+  transformTangents,
 } from "./transform";
 
 /** A primitive as it is in all its places, and what may be shared between them. */
@@ -123,7 +124,7 @@ export class MeshPlacer {
   #add(shapes: readonly Shape[], world: Float64Array): void {
     if (hasNoArea(world)) return; // no ray meets it
     for (const shape of shapes) {
-      const { positions, normals, indices } = shape.triangles;
+      const { positions, normals, indices, colors, tangents } = shape.triangles;
       this.#placed.add(indices.length / 3, positions.length / 3);
       if (this.objects.length === MAX_OBJECTS)
         throw new LoadError(`has more than ${MAX_OBJECTS} meshes, in all places`);
@@ -139,6 +140,8 @@ export class MeshPlacer {
           indices: isMirror(world) ? shape.flipped! : indices,
           ...(normals && { normals: isInPlace ? normals : transformNormals(normals, world) }),
           ...(shape.uvs && { uvs: shape.uvs }),
+          ...(colors && { colors }),
+          ...(tangents && { tangents: isInPlace ? tangents : transformTangents(tangents, world) }),
           material: shape.material,
         }),
       );

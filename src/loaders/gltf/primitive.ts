@@ -13,6 +13,10 @@ export type Triangles = {
   readonly normals?: Float32Array;
   /** By number of the set: `TEXCOORD_1` is `uvs.get(1)`. */
   readonly uvs: ReadonlyMap<number, Float32Array>;
+  /** Red, green, blue and alpha per vertex, from 0 to 1. */
+  readonly colors?: Float32Array;
+  /** x, y, z and ±1 per vertex. */
+  readonly tangents?: Float32Array;
   readonly indices: Uint32Array;
 };
 
@@ -25,7 +29,7 @@ export function hasTriangles({ mode }: GltfPrimitive): boolean {
 
 /** Whether an attribute of this name has a part in the picture. No other is looked at, so none can refuse a file. */
 export function isRead(semantic: string): boolean {
-  return /^(POSITION|NORMAL|TEXCOORD_\d+)$/.test(semantic);
+  return /^(POSITION|NORMAL|TANGENT|COLOR_0|TEXCOORD_\d+)$/.test(semantic);
 }
 
 /** Vertex data as floats, each accessor read and checked once: primitives often share them. */
@@ -94,6 +98,18 @@ export function readTriangles(
   const vertexCount = data.at(attributes.POSITION).getCount();
   const read = (semantic: string, size: number) =>
     data.floats(attributes[semantic]!, size, vertexCount, `${path}.attributes.${semantic}`);
+  /** A vertex whose colour is no number is white. */
+  const readColors = (accessor: number) => {
+    const size = data.at(accessor).getElementSize();
+    const given = read("COLOR_0", size === 3 ? 3 : 4);
+    const lost = data.lost(accessor);
+    const colors = new Float32Array(4 * vertexCount).fill(1);
+    for (let vertex = 0; vertex < vertexCount; vertex++) {
+      if (lost.has(vertex)) continue;
+      for (let i = 0; i < size; i++) colors[4 * vertex + i] = Math.min(1, Math.max(0, given[size * vertex + i]!));
+    }
+    return colors;
+  };
   const positions = read("POSITION", 3);
   const all = triangulate(indicesOf(primitive, data, vertexCount), primitive.mode);
   const [, highest] = rangeOf(all);
@@ -127,11 +143,15 @@ export function readTriangles(
       `${count} of ${last - first + 1} in ${path}`,
     );
   }
-  const triangles = { positions: cut(positions, 3), indices, uvs };
+  const sizeOf = (semantic: string) => (semantic in attributes ? data.at(attributes[semantic]!).getElementSize() : 0);
+  const colors = sizeOf("COLOR_0") >= 3 ? cut(readColors(attributes.COLOR_0!), 4) : undefined;
+  const triangles = { positions: cut(positions, 3), indices, uvs, ...(colors && { colors }) };
   if (bare === undefined || bare.isEverywhere) return triangles;
   const normals = cut(read("NORMAL", 3), 3);
   if (bare.repeated.length > 0) fillFacetNormals(normals, last - first + 1, triangles);
-  return { ...triangles, normals };
+  // glTF 2.0, 3.7.2.1: tangents have a meaning beside normals only. Those that are zero give way to the texture coordinates'.
+  const tangents = sizeOf("TANGENT") === 4 ? cut(read("TANGENT", 4), 4) : undefined;
+  return { ...triangles, normals, ...(tangents && { tangents }) };
 }
 
 /** How many of the numbers from first to last are in a set. */

@@ -69,6 +69,28 @@ export function transformNormals(normals: Float32Array, m: Float64Array): Float3
   return out;
 }
 
+/** Tangents with the surface. A mirror turns the fourth number: which way the bitangent lies. */
+export function transformTangents(tangents: Float32Array, m: Float64Array): Float32Array {
+  const sign = isMirror(m) ? -1 : 1;
+  const [m0, m1, m2, , m4, m5, m6, , m8, m9, m10] = m as unknown as number[];
+  const out = new Float32Array(tangents.length);
+  for (let i = 0; i < out.length; i += 4) {
+    const x = tangents[i]!;
+    const y = tangents[i + 1]!;
+    const z = tangents[i + 2]!;
+    const tx = m0! * x + m4! * y + m8! * z;
+    const ty = m1! * x + m5! * y + m9! * z;
+    const tz = m2! * x + m6! * y + m10! * z;
+    const length = Math.sqrt(tx * tx + ty * ty + tz * tz);
+    const scale = length > 0 ? 1 / length : 0;
+    out[i] = tx * scale;
+    out[i + 1] = ty * scale;
+    out[i + 2] = tz * scale;
+    out[i + 3] = length > 0 ? sign * Math.sign(tangents[i + 3]!) : 0;
+  }
+  return out;
+}
+
 /** The triangles seen from their other side. */
 export function flipWinding(indices: Uint32Array): Uint32Array {
   const out = indices.slice();

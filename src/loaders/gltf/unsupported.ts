@@ -99,14 +99,8 @@ export function warnOfUnsupported(json: GltfJson, warnings: Warnings): void {
   });
   json.meshes.forEach(({ name, primitives }, i) => {
     const place = placeOf("meshes", i, name);
-    for (const primitive of primitives) {
-      const { attributes, targets, material } = primitive;
-      const has = (semantic: string) => attributes[semantic] !== undefined;
+    for (const { targets } of primitives) {
       if (targets !== undefined) warnings.add("Morph targets are not supported: the base shape is shown", place);
-      if (has("COLOR_0")) warnings.add("Vertex colours are not supported: the material's own is shown", place);
-      if (has("TANGENT") && has("NORMAL") && json.materials[material ?? -1]?.normalTexture) {
-        warnings.add("Tangents are computed from the texture coordinates, not read from the file", place);
-      }
     }
   });
 }

@@ -245,8 +245,6 @@ test("what is not supported is listed, with the places", async () => {
     "Animations are not supported: the pose at rest is shown",
     "Skins are not supported: the mesh is shown unbent (nodes[0])",
     'Morph targets are not supported: the base shape is shown (meshes[0] "Body")',
-    'Vertex colours are not supported: the material\'s own is shown (meshes[0] "Body")',
-    'Tangents are computed from the texture coordinates, not read from the file (meshes[0] "Body")',
     "A texture is left out on meshes that lack its texture coordinates (materials[0], normalTexture)",
   ]);
 });

@@ -232,6 +232,38 @@ describe("vertex data", () => {
     expect(warnings).toEqual([]);
   });
 
+  test.each<[string, Float32Array | Uint8Array | Uint16Array, "VEC3" | "VEC4", number[]]>([
+    ["floats", Float32Array.of(0, 0.25, 2, 1, 1, 1, 0.5, 0.5, 0.5), "VEC3", [0, 0.25, 1, 1]],
+    ["bytes", Uint8Array.of(0, 51, 255, 102, 0, 0, 0, 0, 0, 0, 0, 0), "VEC4", [0, 0.2, 1, 0.4]],
+    ["shorts", Uint16Array.of(0, 13107, 65535, 1, 1, 1, 0, 0, 0), "VEC3", [0, 0.2, 1, 1]],
+  ])("colours of vertices may be %s", async (_name, colors, type, first) => {
+    const { meshes } = await load((json, packer) => {
+      const { attributes } = json.meshes[0].primitives[0];
+      attributes.COLOR_0 = packer.add(colors, type);
+      if (!(colors instanceof Float32Array)) packer.accessors[attributes.COLOR_0]!.normalized = true;
+    });
+    expect([...meshes[0]!.colors!].slice(0, 4).map((value) => Number(value.toFixed(6)))).toEqual(first);
+    expect(meshes[0]!.colors).toHaveLength(12);
+  });
+
+  test("a colour that is no number is white", async () => {
+    const { meshes } = await load((json, packer) => {
+      const colors = Float32Array.of(Number.NaN, 0, 0, 0.5, 0.5, 0.5, 0, 0, 0);
+      json.meshes[0].primitives[0].attributes.COLOR_0 = packer.add(colors, "VEC3");
+    });
+    expect([...meshes[0]!.colors!]).toEqual([1, 1, 1, 1, 0.5, 0.5, 0.5, 1, 0, 0, 0, 1]);
+  });
+
+  test("tangents go with their nodes, and turn over in a mirror", async () => {
+    const { meshes } = await load((json, packer) => {
+      const { attributes } = json.meshes[0].primitives[0];
+      attributes.NORMAL = packer.add(Float32Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1), "VEC3");
+      attributes.TANGENT = packer.add(Float32Array.of(1, 0, 0, 1, 0, 1, 0, -1, 0, 0, 0, 1), "VEC4");
+      json.nodes[0].scale = [-2, 3, 1];
+    });
+    expect([...meshes[0]!.tangents!].map((value) => value + 0)).toEqual([-1, 0, 0, -1, 0, 1, 0, 1, 0, 0, 0, 0]);
+  });
+
   test("quantised positions and normals, KHR_mesh_quantization, are what they stand for", async () => {
     const { meshes, warnings } = await load((json, packer) => {
       json.extensionsUsed = json.extensionsRequired = ["KHR_mesh_quantization"];

@@ -1,0 +1,45 @@
+import type { MeshObject } from "../shapes/shapes";
+import type { MeshPart } from "./meshPart";
+
+/**
+ * What the vertices of triangles have beside positions and normals, in pairs of f32: texture coordinates first; then, where some mesh
+ * has them, colours and tangents.
+ */
+export type VertexLayout = {
+  /** Pairs of a vertex. */
+  readonly stride: number;
+  /** Where in a vertex they start; undefined where no mesh has them. */
+  readonly colors?: number;
+  readonly tangents?: number;
+};
+
+/** Undefined where there is nothing. */
+export function vertexLayoutOf(parts: readonly MeshPart[], hasTextures: boolean): VertexLayout {
+  let stride = hasTextures ? 1 : 0;
+  const place = (field: "colors" | "tangents") => {
+    if (!parts.some(({ object }) => object[field] !== undefined)) return undefined;
+    stride += 2;
+    return stride - 2;
+  };
+  const colors = place("colors");
+  const tangents = hasTextures ? place("tangents") : undefined;
+  return { stride, ...(colors !== undefined && { colors }), ...(tangents !== undefined && { tangents }) };
+}
+
+/** Writes what a vertex has, from `at` on. What its mesh lacks is zero; a colour white. */
+export function writeVertex(
+  floats: Float32Array,
+  at: number,
+  vertex: number,
+  { uvs, colors, tangents }: MeshObject,
+  layout: VertexLayout,
+): void {
+  const write = (values: Float32Array, size: number, pair: number) => {
+    for (let i = 0; i < size; i++) floats[at + 2 * pair + i] = values[size * vertex + i]!;
+  };
+  if (uvs && layout.stride > 0) write(uvs, 2, 0);
+  if (tangents && layout.tangents !== undefined) write(tangents, 4, layout.tangents);
+  if (layout.colors === undefined) return;
+  if (colors) write(colors, 4, layout.colors);
+  else floats.fill(1, at + 2 * layout.colors, at + 2 * layout.colors + 4);
+}
