@@ -6,6 +6,8 @@ export const MAX_FILE_BYTES = 2 ** 29;
 export const MAX_TRIANGLES = 2 ** 23;
 /** After instancing. */
 export const MAX_VERTICES = 2 ** 24;
+/** Of a picture: 16384 × 16384, of which the texels are a GiB. */
+export const MAX_PICTURE_TEXELS = 2 ** 28;
 /** Of all pictures together: 256 MiB. */
 export const MAX_TEXELS = 2 ** 26;
 /**
