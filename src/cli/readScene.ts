@@ -3,20 +3,24 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { RtViewerError } from "../errors";
 import type { LoadedScene } from "../loaders/loadedScene";
 import { loadScene } from "../loaders/loadScene";
+import { texelBytesWithin } from "../loaders/texelBudget";
 import { decodeImage } from "./decodeImage";
 
 /**
  * Reads a scene file of any kind, and the files that it refers to.
  *
+ * @param limits - of the device that is to show it: pictures are halved until it can hold them.
  * @throws {RtViewerError} that names the file.
  */
-export async function readScene(file: string): Promise<LoadedScene> {
+export async function readScene(file: string, limits: GPUSupportedLimits): Promise<LoadedScene> {
   const bytes = await readBytes(file);
   const fetchResource = async (url: string) => {
     if (new URL(url).protocol !== "file:") throw new RtViewerError("only files on this machine are read");
     return readBytes(fileURLToPath(url));
   };
-  return loadScene(bytes, { name: file, baseUrl: pathToFileURL(file).href, fetchResource, decodeImage });
+  const baseUrl = pathToFileURL(file).href;
+  const maxTexelBytes = texelBytesWithin(limits);
+  return loadScene(bytes, { name: file, baseUrl, fetchResource, decodeImage, maxTexelBytes });
 }
 
 async function readBytes(file: string): Promise<Uint8Array> {

@@ -68,14 +68,15 @@ async function render(args: string[]): Promise<void> {
     ...(values.bounces !== undefined && { maxBounces: integer("--bounces", values.bounces, 0) }),
   };
 
-  const { scene, warnings } = await readScene(file);
+  const device = await requestDawnDevice();
+  const { scene, warnings } = await readScene(file, device.limits);
   for (const warning of warnings) console.error(warning);
   const tracer = await PathTracer.create({
     scene,
     width,
     height,
     settings,
-    device: await requestDawnDevice(),
+    device,
   });
   const firstCompileSeconds = tracer.stats.compileSeconds;
   await tracer.compile();

@@ -7,7 +7,7 @@ import { checkReferences } from "./gltf/checkReferences";
 import { readContainer } from "./gltf/container";
 import { convertCamera } from "./gltf/convertCamera";
 import { convertLights, warnOfBrightness } from "./gltf/convertLights";
-import { Materials } from "./gltf/materials";
+import { Materials, withoutMissing } from "./gltf/materials";
 import { placeNodes } from "./gltf/nodes";
 import { MeshPlacer } from "./gltf/placeMeshes";
 import { Resources } from "./gltf/resources";
@@ -35,8 +35,8 @@ export type { DecodedImage, DecodeImage, LoadedScene, LoadOptions } from "./load
  * Light's units are taken one to one: 1 cd is 1 W·sr⁻¹, and an emission of 1 is 1 W·sr⁻¹·m⁻².
  *
  * @param bytes - of the file; not kept, not changed.
- * @throws {LoadError} if the file is damaged or truncated, needs something that is not supported, or is too large: 8 million
- *   triangles, 67 million texels. Nothing else is thrown, but the signal's reason.
+ * @throws {LoadError} if the file is damaged or truncated, needs something that is not supported, or has more than 8 million
+ *   triangles. Nothing else is thrown, but the signal's reason.
  */
 export async function loadGltf(bytes: Uint8Array, options: LoadOptions = {}): Promise<LoadedScene> {
   return reportingAs(options.name ?? "the file", options.signal, () => convert(bytes, options));
@@ -55,7 +55,7 @@ async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedS
   const resources = new Resources(json, binary, options);
   const accessors = await unpackAccessors(json, resources);
   signal?.throwIfAborted();
-  const textures = new Textures(json);
+  const textures = new Textures(json, warnings);
   const materials = new Materials(json, textures, warnings);
   const placer = new MeshPlacer(json, accessors, materials, warnings);
   const nodes = placeNodes(json, warnings);
@@ -68,10 +68,11 @@ async function convert(bytes: Uint8Array, options: LoadOptions): Promise<LoadedS
   const camera = convertCamera(json, nodes, bounds, warnings) ?? (bounds.isEmpty ? IDLE_CAMERA : frameBounds(bounds));
   const lights = convertLights(json, visible, warnings);
   warnOfBrightness(lights, bounds, warnings);
+  const pictures = await textures.decode(resources, options);
   const scene: Scene = {
     camera,
-    materials: materials.all,
-    textures: await textures.decode(resources, options),
+    materials: withoutMissing(materials.all, pictures),
+    textures: pictures,
     objects,
     lights,
   };

@@ -18,7 +18,7 @@ export type DecodedImage = {
 };
 
 /**
- * Decodes a picture file.
+ * Decodes a picture file: as stored, whatever orientation is written beside the texels.
  *
  * @param mimeType - as its first bytes have it: `image/png`, `image/jpeg`, `image/webp` or `image/avif`.
  * @throws anything, if it cannot.
@@ -38,4 +38,10 @@ export type LoadOptions = {
   readonly decodeImage?: DecodeImage;
   /** Which of the file's variants to show, by name. Default: the materials that it has without any. */
   readonly variant?: string;
+  /**
+   * Bytes of all textures together, four per texel. If there are more, pictures are halved until they fit, the largest first.
+   * Default: what the page's graphics adapter can hold in one buffer, `maxStorageBufferBindingSize`, but at most 512 MiB; without
+   * an adapter 128 MiB, which every device can hold.
+   */
+  readonly maxTexelBytes?: number;
 };

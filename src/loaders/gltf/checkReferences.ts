@@ -39,11 +39,10 @@ export function checkReferences(json: GltfJson): void {
     checkIndex(json, "images", source, `textures[${i}].source`);
     checkIndex(json, "images", extensions?.EXT_texture_webp?.source, `textures[${i}].extensions.EXT_texture_webp`);
     checkIndex(json, "images", extensions?.EXT_texture_avif?.source, `textures[${i}].extensions.EXT_texture_avif`);
+    checkIndex(json, "images", extensions?.KHR_texture_basisu?.source, `textures[${i}].extensions.KHR_texture_basisu`);
     checkIndex(json, "samplers", sampler, `textures[${i}].sampler`);
   });
-  json.images.forEach(({ uri, bufferView }, i) => {
-    if (uri === undefined && bufferView === undefined)
-      throw new LoadError(`images[${i}]: has no uri and no bufferView`);
+  json.images.forEach(({ bufferView }, i) => {
     checkIndex(json, "bufferViews", bufferView, `images[${i}].bufferView`);
   });
   json.materials.forEach((material, i) => {

@@ -11,6 +11,9 @@ type GltfMaterial = GltfJson["materials"][number];
 type TextureField = "baseColorTexture" | "normalTexture" | "metallicRoughnessTexture" | "emissionTexture";
 type Slot = readonly [field: TextureField, texture: NonNullable<GltfMaterial["emissiveTexture"]> | undefined];
 
+/** The textures that are read as sRGB; the others are data. */
+const COLORS: ReadonlySet<TextureField> = new Set(["baseColorTexture", "emissionTexture"]);
+
 /** A material for one mesh. */
 export type ChosenMaterial = {
   readonly name: string;
@@ -64,13 +67,10 @@ export class Materials {
           `${place}, ${field}`,
         );
       } else {
-        const name = this.#textures.use(texture.index);
-        if (name === undefined)
-          this.#warnings.add("A texture is left out because it has no picture that can be read", place);
-        else {
-          shown[field] = name;
-          coordinates = source;
-        }
+        const name = this.#textures.use(texture.index, COLORS.has(field));
+        if (name === undefined) continue;
+        shown[field] = name;
+        coordinates = source;
       }
     }
     return this.#make(index, material, place, shown, coordinates);
@@ -132,6 +132,20 @@ function alphaOf({ alphaMode = "OPAQUE", alphaCutoff, pbrMetallicRoughness }: Gl
   const alpha = toFraction(pbrMetallicRoughness?.baseColorFactor?.[3] ?? 1);
   if (alphaMode === "BLEND") return { alphaMode: "blend", alpha };
   return { alphaMode: "mask", alpha, ...(alphaCutoff !== undefined && { alphaCutoff }) };
+}
+
+/** Materials without the textures that turned out to have no picture: those multiply by 1. */
+export function withoutMissing(
+  materials: Readonly<Record<string, Material>>,
+  textures: Readonly<Record<string, unknown>>,
+): Readonly<Record<string, Material>> {
+  const shown: Record<string, Material> = Object.create(null);
+  for (const [name, material] of Object.entries(materials)) {
+    const isMissing = ([field, value]: readonly [string, unknown]) =>
+      /Texture$/.test(field) && !Object.hasOwn(textures, value as string);
+    shown[name] = Object.fromEntries(Object.entries(material).filter((entry) => !isMissing(entry))) as Material;
+  }
+  return shown;
 }
 
 /** In the order in which they decide what the texture coordinates are. */

@@ -6,7 +6,7 @@ import type { LoadOptions } from "../loadedScene";
 import { decodeDataUri, isDataUri } from "./dataUri";
 import type { GltfJson } from "./schema";
 
-/** Reads what a glTF file is made of. Every method rejects with a `LoadError` that says which part is not there. */
+/** Reads what a glTF file is made of. */
 export class Resources {
   readonly #json: GltfJson;
   readonly #binary: Uint8Array | undefined;
@@ -20,32 +20,45 @@ export class Resources {
     this.#options = options;
   }
 
-  /** At least `byteLength` bytes. */
+  /**
+   * At least `byteLength` bytes.
+   *
+   * @throws {LoadError} that names the buffer and says why it can't be read.
+   */
   async buffer(index: number): Promise<Uint8Array> {
     const { uri, byteLength } = this.#json.buffers[index]!;
     const path = `buffers[${index}]`;
     if (uri === undefined && this.#binary === undefined) throw new LoadError(`${path}: has no data`);
-    const bytes = uri === undefined ? this.#binary! : await this.#file(uri, path);
+    const bytes =
+      uri === undefined
+        ? this.#binary!
+        : await this.#file(uri).catch((cause: unknown) => {
+            throw new LoadError(`${path}: ${cause instanceof Error ? cause.message : cause}`, { cause });
+          });
     if (bytes.length >= byteLength) return bytes;
     throw new LoadError(`${path}: should have ${byteLength} bytes and has ${bytes.length}`);
   }
 
-  /** The bytes of a picture file; part of a larger array, maybe. */
+  /**
+   * The bytes of a picture file; part of a larger array, maybe.
+   *
+   * @throws anything, which says why it can't be read and does not name it.
+   */
   async image(index: number): Promise<Uint8Array> {
     const { uri, bufferView } = this.#json.images[index]!;
-    if (bufferView === undefined) return this.#file(uri!, `images[${index}]`);
+    if (bufferView === undefined) {
+      if (uri === undefined) throw new LoadError("it has no uri and no bufferView");
+      return this.#file(uri);
+    }
     const view = this.#json.bufferViews[bufferView]!;
     const bytes = await this.buffer(view.buffer);
     return bytes.subarray(view.byteOffset, view.byteOffset + view.byteLength);
   }
 
-  #file(uri: string, path: string): Promise<Uint8Array> {
+  #file(uri: string): Promise<Uint8Array> {
     const known = this.#files.get(uri);
     if (known !== undefined) return known;
-    const bytes = this.#read(uri).catch((cause: unknown) => {
-      this.#options.signal?.throwIfAborted();
-      throw new LoadError(`${path}: ${cause instanceof Error ? cause.message : cause}`, { cause });
-    });
+    const bytes = this.#read(uri);
     this.#files.set(uri, bytes);
     return bytes;
   }

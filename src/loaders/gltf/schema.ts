@@ -87,7 +87,9 @@ const TextureSource = v.optional(v.object({ source: index }));
 const Texture = v.object({
   sampler: v.optional(index),
   source: v.optional(index),
-  extensions: v.optional(v.object({ EXT_texture_webp: TextureSource, EXT_texture_avif: TextureSource })),
+  extensions: v.optional(
+    v.object({ EXT_texture_webp: TextureSource, EXT_texture_avif: TextureSource, KHR_texture_basisu: TextureSource }),
+  ),
 });
 
 const textureInfo = {

@@ -1,37 +1,68 @@
 // Pictures as textures of a scene. A picture is decoded once, whatever the number of ways it is repeated.
 
-import { ImageUtils } from "@gltf-transform/core";
 import { LoadError } from "../../errors";
 import type { Scene, Texture } from "../../scene/schema";
-import { decodeInPage } from "../decodeInPage";
-import { MAX_TEXELS, MAX_UNPACKED_BYTES } from "../limits";
-import type { DecodedImage, DecodeImage, LoadOptions } from "../loadedScene";
+import { checkPageDecodes, decodeInPage } from "../decodeInPage";
+import { MAX_DECODED_TEXELS, MAX_PICTURE_TEXELS, MAX_UNPACKED_BYTES } from "../limits";
+import type { DecodedImage, LoadOptions } from "../loadedScene";
+import { texelBudget } from "../texelBudget";
+import type { Warnings } from "../warnings";
+import { fitPictures, halved } from "./fitPictures";
+import { type ImageFile, readHeader } from "./imageFile";
+import { placeOf } from "./materials";
 import type { Resources } from "./resources";
 import type { GltfJson } from "./schema";
+import { shrinkPicture } from "./shrinkPicture";
 
 /** Files at the same time: as many as browsers load from one host. */
 const MAX_READING = 6;
 /** Pictures at the same time: the browser's threads are at one while another is unpacked. More would only take more memory. */
 const MAX_DECODING = 2;
+/** A picture with more texels is decoded while no other is: 256 MiB. */
+const MAX_TEXELS_OF_SEVERAL = 2 ** 26;
+/** Of a reason in a warning: it can quote what the file says. */
+const MAX_REASON_LENGTH = 300;
 const NEAREST = 9728;
 const WRAPS = { 33071: "clamp", 33648: "mirror", 10497: "repeat" } as const;
+
+type Use = { readonly image: number; readonly look: Omit<Texture, keyof DecodedImage> };
+type Picture = ImageFile & {
+  readonly index: number;
+  /** In how many textures it is. */
+  readonly copies: number;
+  /** Whether anything reads it as colour. What is read as data too, which is unusual, is made smaller as colour. */
+  readonly isColor: boolean;
+};
 
 /** The textures that materials turned out to need. */
 export class Textures {
   readonly #json: GltfJson;
+  readonly #warnings: Warnings;
   /** By name. */
-  readonly #used = new Map<string, { readonly image: number; readonly look: Omit<Texture, keyof DecodedImage> }>();
+  readonly #used = new Map<string, Use>();
+  readonly #colors = new Set<number>();
 
-  constructor(json: GltfJson) {
+  constructor(json: GltfJson, warnings: Warnings) {
     this.#json = json;
+    this.#warnings = warnings;
   }
 
-  /** The name in the scene of one of the file's textures; `undefined` if it has no picture in a format that is read. */
-  use(index: number): string | undefined {
+  /**
+   * The name in the scene of one of the file's textures; `undefined`, which is said, if it has no picture in a format that is read.
+   *
+   * @param isColor - how it is read: as sRGB, or as data.
+   */
+  use(index: number, isColor: boolean): string | undefined {
     const { source, sampler, extensions } = this.#json.textures[index]!;
     // Where there is a choice, PNG and JPEG are what every decoder can do.
     const image = source ?? extensions?.EXT_texture_webp?.source ?? extensions?.EXT_texture_avif?.source;
-    if (image === undefined) return undefined;
+    if (image === undefined) {
+      const packed = extensions?.KHR_texture_basisu?.source;
+      if (packed !== undefined) this.#leaveOut(packed, "KTX2 (KHR_texture_basisu) can't be read");
+      else this.#warnings.add("A texture is left out because it has no picture that can be read", `textures[${index}]`);
+      return undefined;
+    }
+    if (isColor) this.#colors.add(image);
     const { wrapS = 10497, wrapT = 10497, magFilter } = this.#json.samplers[sampler ?? -1] ?? {};
     const filter = magFilter === NEAREST ? "nearest" : "linear";
     const look = { wrapU: WRAPS[wrapS], wrapV: WRAPS[wrapT], filter } as const;
@@ -42,31 +73,108 @@ export class Textures {
   }
 
   /**
-   * Reads and decodes every picture in use.
+   * Reads and decodes every picture in use. Those that can't be read are left out; where all together are too large, they are made
+   * smaller, one after the other. Both is said.
    *
-   * @throws {LoadError} if one is missing or damaged, or all together are too large, which is known before any is decoded.
+   * @returns fewer textures than have names, maybe.
+   * @throws {LoadError} if pictures can't be decoded here at all.
    */
-  async decode(resources: Resources, { decodeImage = decodeInPage, signal }: LoadOptions): Promise<Scene["textures"]> {
-    const indices = [...new Set([...this.#used.values()].map(({ image }) => image))];
-    const files: ImageFile[] = [];
-    let texelCount = 0;
-    let byteCount = 0;
-    await forEachOf(indices, MAX_READING, async (index) => {
-      const file = await fileOf(await resources.image(index), index);
-      texelCount += file.size[0] * file.size[1];
-      byteCount += file.bytes.length;
-      if (texelCount > MAX_TEXELS) throw new LoadError(`has pictures of more than ${MAX_TEXELS} texels`);
-      if (byteCount > MAX_UNPACKED_BYTES) throw new LoadError(`has pictures of more than ${MAX_UNPACKED_BYTES} bytes`);
-      files.push(file);
-    });
+  async decode(resources: Resources, options: LoadOptions): Promise<NonNullable<Scene["textures"]>> {
+    const { decodeImage = decodeInPage, signal } = options;
+    if (this.#used.size > 0 && options.decodeImage === undefined) checkPageDecodes();
+    const pictures = await this.#read(resources, signal);
+    const bytes = pictures.reduce((sum, { width, height, copies }) => sum + 4 * width * height * copies, 0);
+    const halvings = fitPictures(pictures, await texelBudget(bytes, options));
     const decoded = new Map<number, DecodedImage>();
-    await forEachOf(files, MAX_DECODING, async (file) => {
-      signal?.throwIfAborted();
-      decoded.set(file.index, await decode(file, decodeImage));
-    });
-    return Object.fromEntries(
-      [...this.#used].map(([name, { image, look }]) => [name, { ...decoded.get(image)!, ...look }]),
+    const decode = async (picture: Picture, i: number) => {
+      await this.#attempt(picture.index, signal, async () => {
+        const image = await decodeImage(picture.bytes, picture.mimeType);
+        checkSize(image, picture);
+        const size = halved(image, halvings[i]!);
+        const isSmaller = halvings[i]! > 0;
+        decoded.set(picture.index, isSmaller ? await shrinkPicture(image, size, picture.isColor, signal) : image);
+        if (isSmaller) this.#tellSmaller(picture, size);
+      });
+    };
+    const isLarge = ({ width, height }: Picture) => width * height > MAX_TEXELS_OF_SEVERAL;
+    const entries = [...pictures.entries()];
+    await forEachOf(
+      entries.filter(([, picture]) => !isLarge(picture)),
+      MAX_DECODING,
+      ([i, picture]) => decode(picture, i),
     );
+    await forEachOf(
+      entries.filter(([, picture]) => isLarge(picture)),
+      1,
+      ([i, picture]) => decode(picture, i),
+    );
+    return Object.fromEntries(
+      [...this.#used].flatMap(([name, { image, look }]) => {
+        const picture = decoded.get(image);
+        return picture === undefined ? [] : [[name, { ...picture, ...look }]];
+      }),
+    );
+  }
+
+  /** The files of the pictures in use, in their order in the file; without those that can't be read or are too large. */
+  async #read(resources: Resources, signal: AbortSignal | undefined): Promise<Picture[]> {
+    const copies = new Map<number, number>();
+    for (const { image } of this.#used.values()) copies.set(image, (copies.get(image) ?? 0) + 1);
+    const files = new Map<number, ImageFile>();
+    let byteCount = 0;
+    await forEachOf([...copies.keys()], MAX_READING, (index) =>
+      this.#attempt(index, signal, async () => {
+        const bytes = await resources.image(index);
+        // What is part of a buffer takes no memory of its own.
+        if (this.#json.images[index]!.bufferView === undefined) byteCount += bytes.length;
+        if (byteCount > MAX_UNPACKED_BYTES)
+          throw new LoadError(`there are pictures of more than ${MAX_UNPACKED_BYTES} bytes`);
+        files.set(index, await readHeader(bytes));
+      }),
+    );
+    const pictures: Picture[] = [];
+    let texelCount = 0;
+    for (const [index, file] of [...files].sort(([a], [b]) => a - b)) {
+      const texels = file.width * file.height;
+      await this.#attempt(index, signal, async () => {
+        if (texels > MAX_PICTURE_TEXELS) {
+          throw new LoadError(`it is ${sizeText(file)}, which is more than ${MAX_PICTURE_TEXELS} texels`);
+        }
+        if (texelCount + texels > MAX_DECODED_TEXELS) {
+          throw new LoadError(`there are pictures of more than ${MAX_DECODED_TEXELS} texels`);
+        }
+        texelCount += texels;
+        pictures.push({ ...file, index, copies: copies.get(index)!, isColor: this.#colors.has(index) });
+      });
+    }
+    return pictures;
+  }
+
+  /** Does something with a picture. If that fails, the picture is left out, which is said. */
+  async #attempt(index: number, signal: AbortSignal | undefined, act: () => Promise<void>): Promise<void> {
+    try {
+      signal?.throwIfAborted();
+      await act();
+    } catch (error) {
+      signal?.throwIfAborted();
+      const whole = error instanceof Error ? error.message : String(error);
+      this.#leaveOut(index, whole.length > MAX_REASON_LENGTH ? `${whole.slice(0, MAX_REASON_LENGTH)}…` : whole);
+    }
+  }
+
+  #leaveOut(index: number, reason: string): void {
+    this.#warnings.add(`A picture is left out, and its texture is white: ${reason}`, this.#placeOf(index));
+  }
+
+  #tellSmaller(picture: Picture, [width, height]: readonly [number, number]): void {
+    const text = `Pictures are too large together, so this is shown at ${width} × ${height} instead of ${sizeText(picture)}`;
+    this.#warnings.add(text, this.#placeOf(picture.index));
+  }
+
+  /** `images[3] "bark.png"`. */
+  #placeOf(index: number): string {
+    const { name, uri } = this.#json.images[index]!;
+    return placeOf("images", index, name || (uri !== undefined && !/^data:/i.test(uri) ? uri : undefined));
   }
 }
 
@@ -83,38 +191,13 @@ function* each<T>(items: readonly T[]): Generator<T> {
   yield* items;
 }
 
-type ImageFile = {
-  readonly index: number;
-  readonly bytes: Uint8Array;
-  readonly mimeType: string;
-  readonly size: readonly [number, number];
-};
-
-/** Reads the header: what a file claims to be is not trusted, and how large it gets has to be known before it is decoded. */
-async function fileOf(bytes: Uint8Array, index: number): Promise<ImageFile> {
-  if (ImageUtils.getMimeType(bytes) === null) {
-    // These teach glTF-Transform two more formats.
-    const { EXTTextureAVIF, EXTTextureWebP } = await import("@gltf-transform/extensions");
-    EXTTextureAVIF.register();
-    EXTTextureWebP.register();
-  }
-  const mimeType = ImageUtils.getMimeType(bytes);
-  if (mimeType === null) throw new LoadError(`images[${index}]: is not PNG, JPEG, WebP or AVIF`);
-  try {
-    const [width, height] = ImageUtils.getSize(bytes, mimeType) ?? [0, 0];
-    if (width >= 1 && height >= 1) return { index, bytes, mimeType, size: [width, height] };
-  } catch (cause) {
-    throw new LoadError(`images[${index}]: its header is damaged`, { cause });
-  }
-  throw new LoadError(`images[${index}]: its header is damaged`);
+/** A picture may be turned: AVIF says so apart from its size. */
+function checkSize({ width, height }: DecodedImage, file: ImageFile): void {
+  const isAsSaid = width === file.width && height === file.height;
+  if (isAsSaid || (width === file.height && height === file.width)) return;
+  throw new LoadError(`it is ${sizeText({ width, height })}, though its header says ${sizeText(file)}`);
 }
 
-async function decode({ index, bytes, mimeType, size }: ImageFile, decodeImage: DecodeImage): Promise<DecodedImage> {
-  const image = await decodeImage(bytes, mimeType).catch((cause: unknown) => {
-    throw new LoadError(`images[${index}]: ${cause instanceof Error ? cause.message : cause}`, { cause });
-  });
-  if (image.width === size[0] && image.height === size[1]) return image;
-  throw new LoadError(
-    `images[${index}]: is ${image.width} × ${image.height}, though its header says ${size.join(" × ")}`,
-  );
+function sizeText({ width, height }: { readonly width: number; readonly height: number }): string {
+  return `${width} × ${height}`;
 }

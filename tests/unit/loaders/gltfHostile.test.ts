@@ -1,7 +1,7 @@
 import { encode } from "fast-png";
 import { describe, expect, test, vi } from "vitest";
 import { decodeImage } from "../../../src/cli/decodeImage";
-import { type DecodedImage, loadGltf } from "../../../src/loaders/gltf";
+import { loadGltf } from "../../../src/loaders/gltf";
 import { loadScene } from "../../../src/loaders/loadScene";
 import { parseScene } from "../../../src/scene/parseScene";
 import { container, glb, meshesOf, type Packer, type TriangleJson, triangleFile } from "../../support/gltf";
@@ -104,16 +104,6 @@ describe("what the JSON says and the file does not have", () => {
       (json) => Object.assign(json, { nodes: [null] }),
       "x.glb: nodes[0]: expected Object, got null",
     ],
-    "a picture that is a lie": [
-      (json, packer) => {
-        json.materials = [{ normalTexture: { index: 0 } }];
-        json.textures = [{ source: 0 }];
-        json.images = [{ uri: "data:image/png;base64,%%%" }];
-        json.meshes[0].primitives[0].material = 0;
-        json.meshes[0].primitives[0].attributes.TEXCOORD_0 = packer.add(new Float32Array(6), "VEC2");
-      },
-      "images[0]: its data URI is not base64",
-    ],
     "a meshopt view of 2³² bytes": [
       (_, { bufferViews }) => {
         const packed = { buffer: 0, byteLength: 36, byteStride: 256, count: 2 ** 24, mode: "ATTRIBUTES" };
@@ -183,34 +173,26 @@ describe("a small file that would become a large scene", () => {
     view.setUint32(16, 30_000);
     view.setUint32(20, 30_000);
     const decoded = vi.fn(decodeImage);
-    const load = loadGltf(texturedFile([png]), { decodeImage: decoded });
-    await expect(load).rejects.toThrow("the file has pictures of more than 67108864 texels");
+    const { scene, warnings } = await loadGltf(texturedFile([png]), { decodeImage: decoded });
+    expect(scene.textures).toEqual({});
+    expect(warnings[0]).toContain("it is 30000 × 30000, which is more than 268435456 texels");
     expect(decoded).not.toHaveBeenCalled();
   });
 
-  test("by many pictures, of which two are decoded at a time, and none after one that is damaged", async () => {
+  test("by many pictures, of which two are decoded at a time", async () => {
     const png = encode({ width: 2, height: 2, channels: 1, data: new Uint8Array(4) });
     let now = 0;
     let most = 0;
-    const slowly = (result: () => DecodedImage) => async () => {
+    const slowly = vi.fn(async () => {
       most = Math.max(most, ++now);
       await new Promise((resolve) => setTimeout(resolve, 5));
       now--;
-      return result();
-    };
-    const good = vi.fn(slowly(() => ({ width: 2, height: 2, texels: new Uint8Array(16) })));
-    const { scene } = await loadGltf(texturedFile(Array(9).fill(png)), { decodeImage: good });
+      return { width: 2, height: 2, texels: new Uint8Array(16) };
+    });
+    const { scene } = await loadGltf(texturedFile(Array(9).fill(png)), { decodeImage: slowly });
     expect(Object.keys(scene.textures!)).toHaveLength(9);
-    expect(good).toHaveBeenCalledTimes(9);
+    expect(slowly).toHaveBeenCalledTimes(9);
     expect(most).toBe(2);
-    const bad = vi.fn(
-      slowly(() => {
-        throw new Error("damaged");
-      }),
-    );
-    await expect(loadGltf(texturedFile(Array(9).fill(png)), { decodeImage: bad })).rejects.toThrow("damaged");
-    await new Promise((resolve) => setTimeout(resolve, 50));
-    expect(bad.mock.calls.length).toBeLessThanOrEqual(2);
   });
 
   test("by views that meshopt unpacks from the same bytes", async () => {
