@@ -1,12 +1,12 @@
-import { decode as decodeJpeg } from "jpeg-js";
+import { decode as decodeSlowly } from "jpeg-js";
 import { RtViewerError } from "../errors";
-import { MAX_PICTURE_TEXELS } from "../loaders/limits";
+import { readHeader } from "../loaders/gltf/imageFile";
 import type { DecodedImage } from "../loaders/loadedScene";
+import { MAX_PICTURE_TEXELS } from "../loaders/pictureLimits";
 import { decodePng } from "./decodePng";
-import { decodeAvif, decodeWebp } from "./decodeWasm";
+import { decodeAvif, decodeMozjpeg, decodeWebp } from "./decodeWasm";
 
 const MAX_JPEG_MEGABYTES = 4096;
-const MAX_JPEG_MEGAPIXELS = MAX_PICTURE_TEXELS / 1e6;
 /** Of a progressive JPEG, which has ten. Each goes through the whole picture, and can have as little as thirty bytes. */
 const MAX_JPEG_SCANS = 100;
 
@@ -16,26 +16,27 @@ const MAX_JPEG_SCANS = 100;
  * @throws anything, if the picture is damaged, or has more texels than are read, before memory is taken.
  */
 export async function decodeImage(bytes: Uint8Array, mimeType: string): Promise<DecodedImage> {
-  switch (mimeType) {
-    case "image/png":
-      return decodePng(bytes);
-    case "image/jpeg":
-      return decodeJpegFile(bytes);
-    case "image/webp":
-      return decodeWebp(bytes);
-    case "image/avif":
-      return decodeAvif(bytes);
-    default:
-      throw new RtViewerError(`${mimeType} can't be decoded`);
+  if (mimeType === "image/png") return decodePng(bytes);
+  const { width, height } = await readHeader(bytes);
+  if (width * height > MAX_PICTURE_TEXELS) {
+    throw new RtViewerError(`is ${width} × ${height}, which is more than ${MAX_PICTURE_TEXELS} texels`);
   }
+  if (mimeType === "image/jpeg") return decodeJpeg(bytes);
+  if (mimeType === "image/webp") return decodeWebp(bytes);
+  if (mimeType === "image/avif") return decodeAvif(bytes);
+  throw new RtViewerError(`${mimeType} can't be decoded`);
 }
 
-function decodeJpegFile(bytes: Uint8Array): DecodedImage {
+async function decodeJpeg(bytes: Uint8Array): Promise<DecodedImage> {
   if (scanCount(bytes) > MAX_JPEG_SCANS) throw new RtViewerError(`has more than ${MAX_JPEG_SCANS} scans`);
-  const { width, height, data } = decodeJpeg(bytes, {
+  return decodeMozjpeg(bytes).catch(() => decodeCmyk(bytes));
+}
+
+function decodeCmyk(bytes: Uint8Array): DecodedImage {
+  const { width, height, data } = decodeSlowly(bytes, {
     useTArray: true,
     maxMemoryUsageInMB: MAX_JPEG_MEGABYTES,
-    maxResolutionInMP: MAX_JPEG_MEGAPIXELS,
+    maxResolutionInMP: MAX_PICTURE_TEXELS / 1e6,
   });
   return { width, height, texels: data };
 }

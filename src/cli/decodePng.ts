@@ -4,8 +4,8 @@
 
 import { inflateSync } from "node:zlib";
 import { RtViewerError } from "../errors";
-import { MAX_PICTURE_TEXELS } from "../loaders/limits";
 import type { DecodedImage } from "../loaders/loadedScene";
+import { MAX_PICTURE_TEXELS } from "../loaders/pictureLimits";
 
 const SIGNATURE_BYTES = 8;
 /** Length, type and checksum. */

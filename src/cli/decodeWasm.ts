@@ -1,45 +1,52 @@
-// WebP and AVIF, by libwebp and libavif as WebAssembly: what Chromium decodes them with.
+// JPEG, WebP and AVIF by libraries compiled to WebAssembly: what Chromium decodes them with, or its kin.
 
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
+import { RtViewerError } from "../errors";
 import type { DecodedImage } from "../loaders/loadedScene";
 
 const { resolve } = createRequire(import.meta.url);
 
 type Codec = {
-  readonly init: (module: WebAssembly.Module) => Promise<void>;
+  readonly init: (module: WebAssembly.Module, options: { readonly printErr: () => void }) => Promise<void>;
   readonly default: (bytes: ArrayBuffer) => Promise<unknown>;
 };
 type Pixels = { readonly width: number; readonly height: number; readonly data: Uint8ClampedArray };
 
-const loadWebp = once(() =>
-  load(import("@jsquash/webp/decode.js") as Promise<Codec>, "@jsquash/webp/codec/dec/webp_dec.wasm"),
+/** @throws {RtViewerError} if the picture is damaged, or CMYK. */
+export const decodeMozjpeg = decoderOf(
+  () => import("@jsquash/jpeg/decode.js"),
+  "@jsquash/jpeg/codec/dec/mozjpeg_dec.wasm",
 );
-const loadAvif = once(() =>
-  load(import("@jsquash/avif/decode.js") as Promise<Codec>, "@jsquash/avif/codec/dec/avif_dec.wasm"),
-);
 
-/** @throws anything, if the picture is damaged or animated. */
-export async function decodeWebp(bytes: Uint8Array): Promise<DecodedImage> {
-  return decode(await loadWebp(), bytes);
-}
+/** @throws {RtViewerError} if the picture is damaged or animated. */
+export const decodeWebp = decoderOf(() => import("@jsquash/webp/decode.js"), "@jsquash/webp/codec/dec/webp_dec.wasm");
 
-/** @throws anything, if the picture is damaged. */
-export async function decodeAvif(bytes: Uint8Array): Promise<DecodedImage> {
-  return decode(await loadAvif(), bytes);
-}
+/** @throws {RtViewerError} if the picture is damaged. */
+export const decodeAvif = decoderOf(() => import("@jsquash/avif/decode.js"), "@jsquash/avif/codec/dec/avif_dec.wasm");
 
-async function decode(codec: Codec, bytes: Uint8Array): Promise<DecodedImage> {
-  const { width, height, data } = (await codec.default(new Uint8Array(bytes).buffer)) as Pixels;
-  return { width, height, texels: data };
-}
-
-/** Given its WebAssembly, because it would fetch it, which Node can't from a file. */
-async function load(loading: Promise<Codec>, wasm: string): Promise<Codec> {
-  globalThis.ImageData ??= PlainImageData as unknown as typeof ImageData; // which Node lacks, and the decoders make
-  const codec = await loading;
-  await codec.init(await WebAssembly.compile(await readFile(resolve(wasm))));
-  return codec;
+/** @param wasm - a file of the package: the decoder would fetch it, which Node can't. */
+function decoderOf(loadCodec: () => Promise<unknown>, wasm: string): (bytes: Uint8Array) => Promise<DecodedImage> {
+  let loading: Promise<{ codec: Codec; start: () => Promise<void> }> | undefined;
+  const load = async () => {
+    globalThis.ImageData ??= PlainImageData as unknown as typeof ImageData; // which Node lacks, and decoders make
+    const codec = (await loadCodec()) as Codec;
+    const module = await WebAssembly.compile(await readFile(resolve(wasm)));
+    const start = () => codec.init(module, { printErr: () => {} });
+    await start();
+    return { codec, start };
+  };
+  return async (bytes) => {
+    loading ??= load();
+    const { codec, start } = await loading;
+    try {
+      const { width, height, data } = (await codec.default(new Uint8Array(bytes).buffer)) as Pixels;
+      return { width, height, texels: data };
+    } catch (cause) {
+      await start(); // a decoder that ran out of memory stays broken
+      throw new RtViewerError("it is damaged, or of a kind that can't be decoded", { cause });
+    }
+  };
 }
 
 class PlainImageData {
@@ -48,12 +55,4 @@ class PlainImageData {
     readonly width: number,
     readonly height: number,
   ) {}
-}
-
-function once<T>(make: () => Promise<T>): () => Promise<T> {
-  let made: Promise<T> | undefined;
-  return () => {
-    made ??= make();
-    return made;
-  };
 }

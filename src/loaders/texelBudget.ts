@@ -1,5 +1,5 @@
-import { CERTAIN_TEXEL_BYTES, MAX_TEXEL_BYTES } from "./limits";
 import type { LoadOptions } from "./loadedScene";
+import { CERTAIN_TEXEL_BYTES, MAX_TEXEL_BYTES } from "./pictureLimits";
 
 /**
  * How many bytes the textures of a file may have.

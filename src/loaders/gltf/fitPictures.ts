@@ -1,6 +1,6 @@
 // Which pictures are halved so that all fit, and how often.
 
-import { MAX_PICTURE_TEXELS, MAX_TEXTURE_SIDE } from "../limits";
+import { MAX_PICTURE_TEXELS, MAX_TEXTURE_SIDE } from "../pictureLimits";
 
 /** A picture, and in how many textures it is. */
 export type Sized = { readonly width: number; readonly height: number; readonly copies: number };

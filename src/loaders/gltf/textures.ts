@@ -3,8 +3,9 @@
 import { LoadError } from "../../errors";
 import type { Scene, Texture } from "../../scene/schema";
 import { checkPageDecodes, decodeInPage } from "../decodeInPage";
-import { MAX_DECODED_TEXELS, MAX_PICTURE_TEXELS, MAX_UNPACKED_BYTES } from "../limits";
+import { MAX_UNPACKED_BYTES } from "../limits";
 import type { DecodedImage, LoadOptions } from "../loadedScene";
+import { MAX_DECODED_TEXELS, MAX_PICTURE_TEXELS } from "../pictureLimits";
 import { texelBudget } from "../texelBudget";
 import type { Warnings } from "../warnings";
 import { fitPictures, halved } from "./fitPictures";
