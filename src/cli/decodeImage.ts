@@ -29,6 +29,7 @@ export async function decodeImage(bytes: Uint8Array, mimeType: string): Promise<
 
 async function decodeJpeg(bytes: Uint8Array): Promise<DecodedImage> {
   if (scanCount(bytes) > MAX_JPEG_SCANS) throw new RtViewerError(`has more than ${MAX_JPEG_SCANS} scans`);
+  if (isCutOff(bytes)) throw new RtViewerError("it is cut off");
   return decodeMozjpeg(bytes).catch(() => decodeCmyk(bytes));
 }
 
@@ -39,6 +40,12 @@ function decodeCmyk(bytes: Uint8Array): DecodedImage {
     maxResolutionInMP: MAX_PICTURE_TEXELS / 1e6,
   });
   return { width, height, texels: data };
+}
+
+/** Whether its last scan has no end. Chromium refuses that; libjpeg makes the rest grey. */
+function isCutOff(jpeg: Uint8Array): boolean {
+  const file = Buffer.from(jpeg.buffer, jpeg.byteOffset, jpeg.length);
+  return file.lastIndexOf(Buffer.of(0xff, 0xd9)) < file.lastIndexOf(Buffer.of(0xff, 0xda));
 }
 
 /** At most: the two bytes that begin a scan can be in a comment too. */

@@ -2,10 +2,11 @@
 //
 // [1] PNG specification, third edition: 5.3 chunks, 7.2 scanlines, 8.1 interlacing, 9 filters, 11.2.1 header, 11.3.1.1 tRNS
 
-import { inflateSync } from "node:zlib";
+import { crc32, inflateSync } from "node:zlib";
 import { RtViewerError } from "../errors";
 import type { DecodedImage } from "../loaders/loadedScene";
 import { MAX_PICTURE_TEXELS } from "../loaders/pictureLimits";
+import { keep } from "../scene/keptBytes";
 
 const SIGNATURE_BYTES = 8;
 /** Length, type and checksum. */
@@ -67,12 +68,12 @@ export function decodePng(bytes: Uint8Array): DecodedImage {
       start += 1 + rowBytes;
     }
   }
-  return { width, height, texels };
+  return { width, height, texels: keep(texels) };
 }
 
 type Chunk = { readonly type: string; readonly data: Uint8Array };
 
-/** As far as they are whole. */
+/** @throws {RtViewerError} if it is cut off, or a chunk that matters has another checksum than it says: Chromium refuses both. */
 function chunksOf(bytes: Uint8Array): Chunk[] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const chunks: Chunk[] = [];
@@ -80,10 +81,15 @@ function chunksOf(bytes: Uint8Array): Chunk[] {
     const end = start + CHUNK_FRAME_BYTES + view.getUint32(start);
     if (end > bytes.length) break;
     const type = String.fromCharCode(...bytes.subarray(start + 4, start + 8));
+    const isNeeded = /^[A-Z]/.test(type);
+    if (isNeeded && crc32(bytes.subarray(start + 4, end - 4)) !== view.getUint32(end - 4)) {
+      throw new RtViewerError("its data is damaged");
+    }
     chunks.push({ type, data: bytes.subarray(start + 8, end - 4) });
+    if (type === "IEND") return chunks;
     start = end;
   }
-  return chunks;
+  throw new RtViewerError("it is cut off");
 }
 
 function headerOf(chunks: readonly Chunk[]): Header {

@@ -4,6 +4,7 @@ import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { RtViewerError } from "../errors";
 import type { DecodedImage } from "../loaders/loadedScene";
+import { keep } from "../scene/keptBytes";
 
 const { resolve } = createRequire(import.meta.url);
 
@@ -41,7 +42,7 @@ function decoderOf(loadCodec: () => Promise<unknown>, wasm: string): (bytes: Uin
     const { codec, start } = await loading;
     try {
       const { width, height, data } = (await codec.default(new Uint8Array(bytes).buffer)) as Pixels;
-      return { width, height, texels: data };
+      return { width, height, texels: keep(new Uint8Array(data.buffer, data.byteOffset, data.length)) };
     } catch (cause) {
       await start(); // a decoder that ran out of memory stays broken
       throw new RtViewerError("it is damaged, or of a kind that can't be decoded", { cause });

@@ -48,6 +48,19 @@ test("lossless WebP is what it was, colours where it is transparent too", async 
   expect([...image.texels]).toEqual([...texelsOfSmallPictures()]);
 });
 
+test("what Chromium refuses is an error: a file that is cut off, even of its last bytes, and a wrong checksum", async () => {
+  const data = new Uint8Array(16 * 16 * 4).map((_, i) => (i * i) >> 3);
+  const jpeg: Uint8Array = encodeJpeg({ width: 16, height: 16, data }, 92).data;
+  const png = encode({ width: 16, height: 16, channels: 4, data });
+  for (const length of [jpeg.length - 2, jpeg.length - 40]) {
+    await expect(decodeImage(jpeg.subarray(0, length), "image/jpeg")).rejects.toThrow("it is cut off");
+  }
+  await expect(decodeImage(png.subarray(0, png.length - 12), "image/png")).rejects.toThrow("it is cut off");
+  const checksum = png.length - 12 - 4; // of the texels' chunk, before the last
+  png[checksum]! ^= 1;
+  await expect(decodeImage(png, "image/png")).rejects.toThrow("its data is damaged");
+});
+
 test("a JPEG that is cut off is an error, and leaves the decoder whole", async () => {
   const data = new Uint8Array(16 * 16 * 4).map((_, i) => [30, 200, 30, 255][i % 4]!);
   const file: Uint8Array = encodeJpeg({ width: 16, height: 16, data }, 92).data;
