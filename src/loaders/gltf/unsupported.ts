@@ -52,7 +52,6 @@ const LOSSES: Readonly<Record<string, string>> = {
   KHR_materials_volume: "What light loses within a material is not shown",
   KHR_materials_volume_scatter: "The scattering of light within a material is not shown",
   KHR_techniques_webgl: "Shaders of the file are not run: plain materials are shown",
-  KHR_texture_basisu: "Pictures in KTX2 are not shown",
   MSFT_lod: "Levels of detail are not supported: the first is shown",
   MSFT_texture_dds: "Pictures in DDS are not shown",
 };

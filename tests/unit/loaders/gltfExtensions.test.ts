@@ -17,7 +17,6 @@ describe("an extension that is not supported", () => {
     ["ACME_materials_glitter", "What an extension says of materials is not shown"],
     ["EXT_lights_image_based", "The light of the file's surroundings is not shown"],
     ["KHR_animation_pointer", "Animations are not supported: the pose at rest is shown"],
-    ["KHR_texture_basisu", "Pictures in KTX2 are not shown"],
     ["KHR_xmp_json", "Metadata of an extension is not read"],
     ["KHR_interactivity", "What an extension says of sound, motion or behaviour has no effect"],
   ])(
