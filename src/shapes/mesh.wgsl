@@ -2,6 +2,7 @@
 //
 // [1] Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., section 6.8.4
 // [2] Keller et al. 2017, "The Iray Light Transport Simulation and Rendering System", appendix A.3
+// [4] Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II ch. 4
 // [3] Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2)
 import package::constants::NONE;
 import package::minMax::{greater, lesser};
@@ -45,6 +46,10 @@ struct MeshPoint {
   clearance: f32,
   // Interpolated and bent by a texture, unit, on n's side.
   @if(SHADING_NORMALS) shading: vec3f,
+  // Interpolated alone, unit, on n's side.
+  @if(SMOOTH) smoothN: vec3f,
+  // From p to the smooth surface that the vertices' normals tell of, on the side of the ray's origin; zero where that is hollow. [4]
+  @if(SMOOTH) lift: vec3f,
   // Interpolated.
   @if(TEXTURES) uv: vec2f,
   @if(COLORS) color: vec4f,
@@ -81,7 +86,17 @@ fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
   @if(COLORS) found.color = colorOn(slot, weights);
   @if(SHADING_NORMALS) {
     var shading = found.n;
-    @if(SMOOTH) shading = interpolatedNormal(slot, weights, found.n);
+    @if(SMOOTH) {
+      let side = select(-1.0, 1.0, dot(ray.d, found.n) < 0.0);
+      let na = vertexNormal(slot, 0u);
+      let nb = vertexNormal(slot, 1u);
+      let nc = vertexNormal(slot, 2u);
+      shading = interpolatedNormal(weights.x * na + weights.y * nb + weights.z * nc, found.n);
+      found.smoothN = select(shading, -shading, dot(shading, found.n) < 0.0);
+      found.lift = weights.x * liftTo(side * dot(found.p - item.a, na), side * na) +
+        weights.y * liftTo(side * dot(found.p - item.b, nb), side * nb) +
+        weights.z * liftTo(side * dot(found.p - item.c, nc), side * nc);
+    }
     @if(NORMAL_TEXTURES) shading = texturedNormal(slot, weights, factorsOf(item.id), found.uv, shading, e1, e2);
     found.shading = select(shading, -shading, dot(shading, found.n) < 0.0);
   }
@@ -93,11 +108,20 @@ fn greater3(a: vec3f, b: vec3f) -> vec3f {
 }
 
 @if(SMOOTH)
-fn interpolatedNormal(slot: u32, weights: vec3f, n: vec3f) -> vec3f {
-  let sum = weights.x * octahedral(normals[3u * slot]) + weights.y * octahedral(normals[3u * slot + 1u]) +
-    weights.z * octahedral(normals[3u * slot + 2u]);
+fn interpolatedNormal(sum: vec3f, n: vec3f) -> vec3f {
   let size = length(sum);
   return select(n, sum / size, size > CANCELLED); // opposite normals may cancel out
+}
+
+@if(SMOOTH)
+fn vertexNormal(slot: u32, corner: u32) -> vec3f {
+  return octahedral(normals[3u * slot + corner]);
+}
+
+// From a point below the plane through a vertex onto that plane, by its height above it. [4]
+@if(SMOOTH)
+fn liftTo(height: f32, n: vec3f) -> vec3f {
+  return -lesser(height, 0.0) * n;
 }
 
 @if(TEXTURES)

@@ -8,10 +8,9 @@ import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::directLight::{DirectLight, directLight, unhidden};
 import package::frameUniforms::{countRay, frame};
 import package::lights::light::{lightPick, sampleLight};
-import package::ray::makeRay;
 import package::sampler::{Sampler, point};
 import package::scene::{bsdfEval, bsdfSampleUniform, closestHit, environment};
-import package::surface::{Surface, surfaceAt};
+import package::surface::{Surface, leave, leaves, surfaceAt};
 
 fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   var L = vec3f(0.0);
@@ -37,10 +36,10 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     let next = bsdfSampleUniform(surface.bsdf, surface.wo, point(samples, dimensionAt(depth, DIRECTION)), choice.x);
     let wi = toWorld(surface.frame, next.wi);
     beta *= next.weight;
-    @if(SHADING_NORMALS) beta *= select(0.0, 1.0, dot(wi, surface.ng) > 0.0);
+    @if(SHADING_NORMALS) beta *= select(0.0, 1.0, leaves(surface, wi));
     counted = next.pdf > 0.0;
     if (all(beta == vec3f(0.0))) { break; }
-    ray = makeRay(surface.p, wi, surface.source);
+    ray = leave(surface, wi);
   }
   return L;
 }

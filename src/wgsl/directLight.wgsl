@@ -3,10 +3,9 @@ import package::coverage::drawCoverage;
 import package::estimator::oneLight;
 import package::frameUniforms::{countRay, frame};
 import package::lights::light::LightSample;
-import package::ray::makeRay;
 import package::sampler::{Sampler, subsample};
 import package::scene::occluded;
-import package::surface::Surface;
+import package::surface::{Surface, leave, leaves};
 
 struct DirectLight {
   L: vec3f,
@@ -35,10 +34,10 @@ fn directLight(surface: Surface, samples: Sampler, dimension: u32) -> DirectLigh
 @if(LIGHTS)
 fn unhidden(surface: Surface, light: LightSample, reflected: vec3f) -> vec3f {
   var L = reflected;
-  @if(SHADING_NORMALS) L *= select(0.0, 1.0, dot(light.wi, surface.ng) > 0.0);
+  @if(SHADING_NORMALS) L *= select(0.0, 1.0, leaves(surface, light.wi));
   if (all(L == vec3f(0.0))) { return L; }
   countRay();
-  let hidden = occluded(makeRay(surface.p, light.wi, surface.source), light.distance, light.id);
+  let hidden = occluded(leave(surface, light.wi), light.distance, light.id);
   return select(L, vec3f(0.0), hidden);
 }
 

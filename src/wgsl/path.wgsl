@@ -12,10 +12,9 @@ import package::emitters::inEmitterWindow;
 import package::frameUniforms::{countRay, frame};
 import package::lights::light::{lightPick, lightShareOf, sampleLight};
 import package::minMax::{greater, lesser};
-import package::ray::makeRay;
 import package::sampler::{Sampler, independent, point};
 import package::scene::{bsdfEval, bsdfSample, closestHit, environment};
-import package::surface::{Surface, surfaceAt};
+import package::surface::{Surface, leave, leaves, surfaceAt};
 import package::surfacePoint::primitiveOf;
 
 // Paths shorter than this are never ended at random. [2]
@@ -62,12 +61,12 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     let next = bsdfSample(surface.bsdf, surface.wo, point(samples, dimensionAt(depth, DIRECTION)), choice.x);
     let wi = toWorld(surface.frame, next.wi);
     beta *= next.weight;
-    @if(SHADING_NORMALS) beta *= select(0.0, 1.0, dot(wi, surface.ng) > 0.0);
+    @if(SHADING_NORMALS) beta *= select(0.0, 1.0, leaves(surface, wi));
     pdf = next.pdf;
     let survival = select(lesser(greater(greater(beta.r, beta.g), beta.b), 1.0), 1.0, depth < ROULETTE_DEPTH);
     if (choice.y >= survival || all(beta == vec3f(0.0))) { break; }
     beta /= survival;
-    ray = makeRay(surface.p, wi, surface.source);
+    ray = leave(surface, wi);
   }
   return L;
 }

@@ -1,14 +1,19 @@
 // What a ray finds where it hits.
+//
+// [1] Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II ch. 4
 import package::basis::{Frame, frameAround, toLocal};
 import package::constants::{LEAST_COMPONENT, NONE};
 import package::lights::sphere::sphereLightPdf;
 import package::lobes::fresnel::LEAST_ALPHA;
 import package::minMax::greater;
-import package::ray::{Hit, Ray};
+import package::ray::{Hit, Ray, makeRay};
 import package::scene::{Bsdf, doubleSidedOf, emissionOf, factorsOf, lightDensityOf, materialOf, seenFrom, unlitOf};
 import package::shapes::mesh::consistentNormal;
 import package::surfacePoint::{SurfacePoint, sourceAt, surfacePoint};
 import package::textures::{colorAt, dataAt};
+
+// Cosine of the angle from which on rays start on the smooth surface: Cycles' default.
+const TERMINATOR = 0.1;
 
 struct Surface {
   p: vec3f,
@@ -16,6 +21,9 @@ struct Surface {
   frame: Frame,
   // Of the surface itself, on the viewer's side, where n may be an interpolated one.
   @if(SHADING_NORMALS) ng: vec3f,
+  // Of the smooth surface that a mesh stands for, likewise, and the way there.
+  @if(SMOOTH) smoothN: vec3f,
+  @if(SMOOTH) lift: vec3f,
   // Towards the viewer, in the local frame.
   wo: vec3f,
   bsdf: Bsdf,
@@ -35,6 +43,8 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   @if(MESHES) surface.p += found.clearance * n;
   @if(SHADING_NORMALS) {
     surface.ng = n;
+    @if(SMOOTH) surface.smoothN = select(-found.smoothN, found.smoothN, found.front);
+    @if(SMOOTH) surface.lift = found.lift;
     let shading = select(-found.shading, found.shading, found.front);
     n = select(n, consistentNormal(shading, n, -ray.d), found.isTriangle);
   }
@@ -54,6 +64,28 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   }
   surface.source = sourceAt(found, hit);
   return surface;
+}
+
+// A ray that leaves a surface. From a mesh with normals it starts on the smooth surface that the mesh stands for, where the triangle
+// would cut it off, as in Cycles: or else the boundary of light would be one of triangles. Blended in with the angle at which the
+// triangle and the smooth surface end. [1]
+fn leave(surface: Surface, wi: vec3f) -> Ray {
+  @if(!SMOOTH) return makeRay(surface.p, wi, surface.source);
+  @if(SMOOTH) {
+    let flat = dot(surface.ng, wi);
+    let smooth_ = dot(surface.smoothN, wi);
+    let near = clamp(1.0 - flat / TERMINATOR, 0.0, 1.0);
+    let amount = select(near, clamp(2.0 - (flat + smooth_) / TERMINATOR, 0.0, 1.0), smooth_ < TERMINATOR);
+    // Below the triangle's horizon the triangle itself may be in the way.
+    return makeRay(surface.p + amount * surface.lift, wi, select(NONE, surface.source, flat > 0.0));
+  }
+}
+
+// Whether a direction leaves a surface on the viewer's side, whatever the normal that it is shaded with.
+@if(SHADING_NORMALS)
+fn leaves(surface: Surface, wi: vec3f) -> bool {
+  @if(!SMOOTH) return dot(wi, surface.ng) > 0.0;
+  @if(SMOOTH) return dot(wi, surface.smoothN) > 0.0;
 }
 
 // How a primitive scatters towards the viewer, at texture coordinates and with the colour of its vertices.
