@@ -1,7 +1,7 @@
 /** The feature pages in the order in which they are read. A name is that of a `.html` and a `.ts` file beside this one. */
 export const FEATURE_GROUPS = [
   { title: "Light", names: ["soft-shadows", "emission", "ambient-light", "bounces"] },
-  { title: "Surfaces", names: ["color-bleeding", "metals", "roughness", "mirror"] },
+  { title: "Surfaces", names: ["color-bleeding", "metals", "roughness", "mirror", "cut-outs"] },
   { title: "Shapes", names: ["meshes", "files"] },
   { title: "Precision and control", names: ["energy", "target-error", "estimators", "camera"] },
 ] as const;

@@ -7,6 +7,9 @@ import { UNBOUNDED } from "./layouts";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
 
+/** Whether primitive `id` has holes. */
+type IsPart = (id: number) => boolean;
+
 /** The struct of a row; nothing for a scene without tables. */
 export function emitRowStruct(unrolling: Unrolling): string {
   if (unrolling.loops.length === 0) return "";
@@ -16,12 +19,12 @@ ${emitStruct("Unbounded", UNBOUNDED)}`;
 }
 
 /** Statements that put the nearest in `hit`. */
-export function emitClosestLoops(unrolling: Unrolling): string {
+export function emitClosestLoops(unrolling: Unrolling, isPart: IsPart): string {
   return unrolling.loops
     .map(
       ({ table: { table, distance }, ids }) => `  for (var i = 0u; i < ${ids.length}u; i++) {
     let row = scene.${table}[i];
-    hit = nearer(hit, ${distance}, row.id, ray);
+    hit = nearer${ids.some(isPart) ? "Part" : ""}(hit, ${distance}, row.id, ray);
   }
 `,
     )
@@ -29,12 +32,12 @@ export function emitClosestLoops(unrolling: Unrolling): string {
 }
 
 /** Statements that set `blocked` if one is in between. */
-export function emitBlockingLoops(unrolling: Unrolling): string {
+export function emitBlockingLoops(unrolling: Unrolling, isPart: IsPart): string {
   return unrolling.loops
     .map(
       ({ table: { table, distance }, ids }) => `  for (var i = 0u; i < ${ids.length}u && !blocked; i++) {
     let row = scene.${table}[i];
-    blocked = between(${distance}, distance, row.id, ray) & (row.id != target_);
+    blocked = between${ids.some(isPart) ? "Part" : ""}(${distance}, distance, row.id, ray) & (row.id != target_);
   }
 `,
     )

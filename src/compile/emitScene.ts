@@ -41,7 +41,7 @@ export function emitScene(
   blocks: (id: number) => boolean,
   packed: () => { readonly members: readonly Member[]; readonly isStored: boolean },
 ): string {
-  const shapes = emitShapes(primitives, lights, unrolling, geometry, values, blocks, features);
+  const shapes = emitShapes(primitives, lights, unrolling, geometry, values, blocks);
   const lightChoice = emitLightChoice(lights, features, values);
   const { members, isStored } = packed();
 
@@ -49,6 +49,7 @@ export function emitScene(
 import package::lights::light::{Light, LightChoice, LightSample, flatLightShare, lightShare};
 import package::lobes::lobe::{BsdfSample, BsdfValue, aboveOnly, directions, uniformSample, weighed};
 import package::minMax::{greater, lesser};
+import package::coverage::{betweenPart, nearerPart};
 import package::ray::{Hit, Ray, between, innerRay, nearer, noHit};
 import package::surface::Surface;
 import package::textures::{Factors, Texture};

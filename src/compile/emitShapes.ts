@@ -2,12 +2,11 @@
 // Writes the part of the shader module `scene` that finds what a ray meets.
 
 import type { Light } from "../lights/light";
-import { hasHoles } from "../lobes/coverage";
 import type { EmittedShape } from "../shapes/shape";
 import { ITEMS, itemTag, kindOf, kindOfObject, type Shape } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
 import { emitBlockingLoops, emitClosestLoops } from "./emitLoops";
-import { type Features, familyOf } from "./features";
+import { familyOf, hasHolesAt } from "./features";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
 import type { Values } from "./values";
@@ -25,20 +24,20 @@ export function emitShapes(
   geometry: Geometry | undefined,
   values: Values,
   blocks: (id: number) => boolean,
-  { ALPHA }: Features,
 ): string {
   const sampled = new Set(lights.map((light) => light.primitive));
   const emitted = unrolling.unrolled.map((id) => ({ id, ...emitShape(primitives[id]!.shape, id, values) }));
   const isSheared = emitted.some(({ distance }) => distance.includes("(shear,"));
   const shear = isSheared ? "  let shear = shearOf(ray);\n" : "";
+  const isPart = (id: number) => hasHolesAt(primitives, id);
+  const part = (id: number) => (isPart(id) ? "Part" : "");
   // What has passed the near side of a closed shape may meet the far one.
   const farSide = (id: number, distance: string, meet: string) => {
-    const { material, shape } = primitives[id]!;
-    if (!ALPHA || material === "black" || !hasHoles(material) || familyOf(shape) === "flat") return "";
+    if (!isPart(id) || familyOf(primitives[id]!.shape) === "flat") return "";
     return `  if (${distance} > 0.0) { let outer = ray; let ray = innerRay(outer, ${id}u); ${meet} }\n`;
   };
   const closest = emitted.map(({ id, distance }) => {
-    const meet = (ray: string) => `hit = nearer(hit, ${distance}, ${id}u, ${ray});`;
+    const meet = (ray: string) => `hit = nearer${part(id)}(hit, ${distance}, ${id}u, ${ray});`;
     return `  ${meet("ray")}\n${farSide(id, distance, meet("outer"))}`;
   });
   const blockers = emitted.map(({ id, distance }) => {
@@ -46,20 +45,20 @@ export function emitShapes(
     if (isTarget && lights.length === 1) return ""; // a light never hides itself
     if (!blocks(id)) return "";
     const other = isTarget ? ` & (target_ != ${id}u)` : "";
-    const block = (ray: string) => `blocked |= between(${distance}, distance, ${id}u, ${ray})${other};`;
+    const block = (ray: string) => `blocked |= between${part(id)}(${distance}, distance, ${id}u, ${ray})${other};`;
     return `  ${block("ray")}\n${farSide(id, distance, block("outer"))}`;
   });
   const normals = emitted.map(({ id, normal }) => (normal ? `  n = select(n, ${normal}, id == ${id}u);\n` : ""));
   return `
 fn closestHit(ray: Ray) -> Hit {
 ${shear}  var hit = noHit();
-${closest.join("")}${emitClosestLoops(unrolling)}${geometry ? "  hit = treeClosest(ray, hit);\n" : ""}  return hit;
+${closest.join("")}${emitClosestLoops(unrolling, isPart)}${geometry ? "  hit = treeClosest(ray, hit);\n" : ""}  return hit;
 }
 
 // Whether something other than \`target_\` lies between the ray's origin and the point at \`distance\`.
 fn occluded(ray: Ray, distance: f32, target_: u32) -> bool {
 ${shear}  var blocked = false;
-${blockers.join("")}${emitBlockingLoops(unrolling)}${geometry ? "  if (!blocked) { blocked = treeOccludes(ray, distance, target_); }\n" : ""}  return blocked;
+${blockers.join("")}${emitBlockingLoops(unrolling, isPart)}${geometry ? "  if (!blocked) { blocked = treeOccludes(ray, distance, target_); }\n" : ""}  return blocked;
 }
 
 // Outward normals of solids.

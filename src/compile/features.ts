@@ -1,4 +1,5 @@
 import type { Light } from "../lights/light";
+import { hasHoles } from "../lobes/coverage";
 import { LOBE_WORDS, lobeFeatures } from "../lobes/lobes";
 import { TEXTURE_FIELDS, type TextureField } from "../scene/schema";
 import { hullOf, kindOf, type Shape } from "../shapes/shapes";
@@ -38,6 +39,12 @@ export function deriveFeatures(
     // Something is in the tree: triangles of meshes, other shapes.
     TREE: geometry !== undefined,
     MESHES: geometry !== undefined && geometry.parts.length > 0,
+    // Some of it has holes.
+    TREE_ALPHA:
+      geometry !== undefined &&
+      primitives.some(
+        ({ shape }, id) => (familyOf(shape) === "triangles" || geometry.shapes.has(id)) && hasHolesAt(primitives, id),
+      ),
     TREE_SOLIDS: geometry?.treeShapes.some(({ shape }) => familyOf(shape) === "solid") ?? false,
     // Some mesh has normals.
     SMOOTH: isSmooth,
@@ -79,6 +86,12 @@ export function familyOf(shape: Shape): Family {
   const w = row(shape)[3];
   if (w === 0) return "flat";
   return w > 0 ? "ball" : "solid";
+}
+
+/** Whether a primitive has holes. */
+export function hasHolesAt(primitives: readonly Primitive[], id: number): boolean {
+  const { material } = primitives[id]!;
+  return material !== "black" && hasHoles(material);
 }
 
 /** Balls that are better measured from their surface than from their centre. */

@@ -1,6 +1,6 @@
 // Surfaces that are there in part: a ray meets one with the probability that its alpha tells, or passes. Shadow rays do the same, so
 // that leaves cast the shadows of leaves.
-import package::ray::Ray;
+import package::ray::{Hit, Ray, between};
 import package::sampler::{Sampler, pcg3d, unitInterval};
 import package::scene::{PRIMITIVES, coverageOf, cutoffOf, factorsOf};
 import package::shapes::mesh::{colorOn, uvAt};
@@ -13,6 +13,17 @@ var<private> chances: vec2u;
 
 fn drawCoverage(samples: Sampler, dimension: u32) {
   chances = vec2u(samples.seed ^ (dimension * 0x9e3779b9u), samples.index);
+}
+
+// As nearer(), of a surface with holes.
+fn nearerPart(hit: Hit, t: f32, id: u32, ray: Ray) -> Hit {
+  if (between(t, hit.t, id, ray) && isCovered(ray, t, id)) { return Hit(t, id); }
+  return hit;
+}
+
+// As between(), of a surface with holes.
+fn betweenPart(t: f32, distance: f32, id: u32, ray: Ray) -> bool {
+  return between(t, distance, id, ray) && isCovered(ray, t, id);
 }
 
 // Whether the ray meets surface `id` at t.

@@ -2,7 +2,6 @@
 // moving the origin off the surface by an epsilon, the ray names the primitive it starts on and the intersectors leave
 // that one out (flat, or convex seen from outside) or take only its far side (seen from inside). No scale enters.
 import package::constants::{FAR, INSIDE, LEAST_COMPONENT, NONE};
-import package::coverage::isCovered;
 
 struct Ray {
   o: vec3f,
@@ -35,17 +34,12 @@ fn noHit() -> Hit {
 // Keeps the nearer of `hit` and primitive `id` at `t`; any t <= 0 is a miss.
 fn nearer(hit: Hit, t: f32, id: u32, ray: Ray) -> Hit {
   let closer = (t > 0.0) & (t < hit.t) & (id != ray.source);
-  @if(ALPHA) {
-    if (closer && !isCovered(ray, t, id)) { return hit; }
-  }
   return Hit(select(hit.t, t, closer), select(hit.id, id, closer));
 }
 
 // Whether primitive `id` at `t` lies strictly between the ray's origin and the point at `distance`.
 fn between(t: f32, distance: f32, id: u32, ray: Ray) -> bool {
-  let lies = (t > 0.0) & (t < distance) & (id != ray.source);
-  @if(!ALPHA) return lies;
-  @if(ALPHA) return lies && isCovered(ray, t, id);
+  return (t > 0.0) & (t < distance) & (id != ray.source);
 }
 
 // The same ray as one that starts inside of closed primitive `id`: what it meets is the far side.

@@ -9,6 +9,7 @@
 // [2] Ize 2013, "Robust BVH Ray Traversal", JCGT 2(2)
 // [3] Ylitie, Karras, Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs"
 import package::constants::FAR;
+import package::coverage::{betweenPart, nearerPart};
 import package::minMax::{greater, lesser};
 import package::ray::{Hit, Ray, between, innerRay, nearer};
 import package::scene::{PRIMITIVES, STACK_SIZE, itemIntersect};
@@ -73,8 +74,9 @@ fn treeClosest(ray: Ray, found: Hit) -> Hit {
     let end = first + ((link & ~LEAF) >> COUNT_SHIFT);
     for (var slot = first; slot < end; slot++) {
       let id = PRIMITIVES + slot;
-      hit = nearer(hit, itemIntersect(ray, shear, slot, id), id, ray);
-      @if(ALPHA && (BALLS || SOLIDS)) hit = nearer(hit, farSide(ray, shear, slot, id), id, ray);
+      @if(!TREE_ALPHA) hit = nearer(hit, itemIntersect(ray, shear, slot, id), id, ray);
+      @if(TREE_ALPHA) hit = nearerPart(hit, itemIntersect(ray, shear, slot, id), id, ray);
+      @if(TREE_ALPHA && (BALLS || SOLIDS)) hit = nearerPart(hit, farSide(ray, shear, slot, id), id, ray);
     }
     link = nextWaiting(NOTHING, true);
   }
@@ -94,8 +96,9 @@ fn treeOccludes(ray: Ray, distance: f32, target_: u32) -> bool {
     let end = first + ((link & ~LEAF) >> COUNT_SHIFT);
     for (var slot = first; slot < end; slot++) {
       let id = PRIMITIVES + slot;
-      blocked |= between(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
-      @if(ALPHA && (BALLS || SOLIDS)) blocked |= between(farSide(ray, shear, slot, id), distance, id, ray) & (id != target_);
+      @if(!TREE_ALPHA) blocked |= between(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
+      @if(TREE_ALPHA) blocked |= betweenPart(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
+      @if(TREE_ALPHA && (BALLS || SOLIDS)) blocked |= betweenPart(farSide(ray, shear, slot, id), distance, id, ray) & (id != target_);
     }
     if (blocked) { break; }
     link = nextWaiting(NOTHING, true);
@@ -104,7 +107,7 @@ fn treeOccludes(ray: Ray, distance: f32, target_: u32) -> bool {
 }
 
 // Where a ray that meets a closed item leaves it, if it may have passed the near side; not positive if there is nothing to leave.
-@if(ALPHA && (BALLS || SOLIDS))
+@if(TREE_ALPHA && (BALLS || SOLIDS))
 fn farSide(ray: Ray, shear: Shear, slot: u32, id: u32) -> f32 {
   if (itemAt(slot).kind <= TURNED_TRIANGLE || itemIntersect(ray, shear, slot, id) <= 0.0) { return -1.0; }
   return itemIntersect(innerRay(ray, id), shear, slot, id);
