@@ -21,5 +21,6 @@ export type {
   Scene,
   SceneObject,
   Texture,
+  TextureReference,
   Vec3,
 } from "./scene/schema";

@@ -50,10 +50,19 @@ function ofShape(shape: Shape, docs: SchemaDocs): JsonSchema {
       };
     case "list":
       return { type: "array", items: toJsonSchema(shape.item, docs.item) };
-    case "triple": {
+    case "tuple": {
       const contains = shape.isNonZero === true ? { contains: { not: { const: 0 } } } : {};
-      return { type: "array", items: toJsonSchema(shape.item, docs.item), minItems: 3, maxItems: 3, ...contains };
+      const { length } = shape;
+      return {
+        type: "array",
+        items: toJsonSchema(shape.item, docs.item),
+        minItems: length,
+        maxItems: length,
+        ...contains,
+      };
     }
+    case "stringOr":
+      return { anyOf: [{ type: "string" }, toJsonSchema(shape.object, { fields: docs.fields })] };
     case "dictionary":
       return { type: "object", additionalProperties: toJsonSchema(shape.item, docs.item) };
   }

@@ -25,14 +25,22 @@ function describeObject(path: string, schema: JsonSchema): string[] {
   });
   const table = ["| field | | default | |", "|---|---|---|---|", ...rows].join("\n");
   const section = [`## ${path}`, schema.description, table].filter((part) => typeof part === "string");
-  const inner = properties.flatMap(([name, property]) =>
-    describeInner(path === "scene" ? name : `${path}.${name}`, property),
+  // Fields that hold the same are described once.
+  const namesOf = new Map<string, [names: string[], JsonSchema]>();
+  for (const [name, property] of properties) {
+    const key = JSON.stringify({ ...property, description: undefined });
+    namesOf.set(key, [[...(namesOf.get(key)?.[0] ?? []), name], property]);
+  }
+  const inner = [...namesOf.values()].flatMap(([names, property]) =>
+    describeInner(path === "scene" ? names.join(", ") : `${path}.${names.join(", ")}`, property),
   );
   return [...section, ...inner] as string[];
 }
 
 function describeInner(path: string, schema: JsonSchema): string[] {
   if (schema.properties !== undefined) return describeObject(path, schema);
+  const said = objectOrString(schema);
+  if (said !== undefined) return describeObject(path, said);
   if (schema.anyOf !== undefined)
     return alternatives(schema).flatMap((each) => describeObject(`${path}: ${typeOf(each)}`, each));
   if (isSchema(schema.additionalProperties)) return describeInner(`${path}.NAME`, schema.additionalProperties);
@@ -43,6 +51,7 @@ function describeInner(path: string, schema: JsonSchema): string[] {
 function typeText(schema: JsonSchema): string {
   if (schema.const !== undefined) return `\`${JSON.stringify(schema.const)}\``;
   if (Array.isArray(schema.enum)) return schema.enum.map((value) => `\`${JSON.stringify(value)}\``).join(", ");
+  if (objectOrString(schema) !== undefined) return "string or object";
   if (schema.anyOf !== undefined) return `one of ${alternatives(schema).map(typeOf).join(", ")}`;
   if (isSchema(schema.additionalProperties)) return "by name";
   if (isSchema(schema.items)) {
@@ -60,6 +69,12 @@ function rangeText(schema: JsonSchema): string {
   if (minimum <= -HUGE && maximum >= HUGE) return "";
   if (maximum >= HUGE) return minimum > 0 && minimum <= 1 / HUGE ? " > 0" : ` ≥ ${minimum}`;
   return ` ${minimum}…${maximum}`;
+}
+
+/** The object in whose place there may be a string. */
+function objectOrString(schema: JsonSchema): JsonSchema | undefined {
+  const [first, second] = (schema.anyOf ?? []) as readonly JsonSchema[];
+  return first?.type === "string" ? second : undefined;
 }
 
 function alternatives(schema: JsonSchema): readonly JsonSchema[] {

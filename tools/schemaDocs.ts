@@ -10,7 +10,7 @@ export type SchemaDocs = {
 
 export const NO_DOCS: SchemaDocs = { fields: new Map() };
 
-const CONTAINERS = ["list", "triple", "dictionary"];
+const CONTAINERS = ["list", "pair", "triple", "dictionary"];
 
 /**
  * The docstrings of every constant at the top of a TypeScript file that holds a schema: its own, and those of the fields of

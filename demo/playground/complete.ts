@@ -72,9 +72,9 @@ function resultAt({ from, to }: Place, options: readonly Completion[]): Completi
   return { from, to, options, filter: from !== to };
 }
 
-/** What a scene's own names are for: `material` names one of `materials`, `baseColorTexture` one of `textures`. */
+/** What a scene's own names are for: `material` names one of `materials`, `baseColorTexture` and its `texture` one of `textures`. */
 function namesFor(key: string, text: string, tree: Tree): string[] {
-  const list = key === "material" ? "materials" : key.endsWith("Texture") ? "textures" : undefined;
+  const list = key === "material" ? "materials" : /texture$/i.test(key) ? "textures" : undefined;
   const root = rootValue(tree);
   const property = list && root && child(root, list, text);
   const names = property && valueIn(property)?.getChildren("Property");
@@ -84,7 +84,8 @@ function namesFor(key: string, text: string, tree: Tree): string[] {
 /** A value to start from. */
 function sampleOf(schema: JsonSchema): string {
   if (schema.default !== undefined) return JSON.stringify(schema.default).replaceAll(",", ", ");
-  if (schema.enum !== undefined || schema.type === "string") return '""';
+  const isString = [schema, schema.anyOf?.[0]].some((each) => each?.type === "string");
+  if (schema.enum !== undefined || isString) return '""';
   if (schema.type === "array") {
     return schema.minItems === undefined
       ? "[]"

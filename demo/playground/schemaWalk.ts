@@ -42,6 +42,8 @@ export function fieldsOf(
   text: string,
 ): { readonly [key: string]: JsonSchema } | undefined {
   if (schema.anyOf === undefined) return schema.properties;
+  const [first, second] = schema.anyOf;
+  if (first?.type === "string") return second?.properties; // an object in place of a string
   const property = child(object, "type", text);
   const value = property && valueIn(property);
   const type = value && stringOf(value, text);

@@ -68,7 +68,7 @@ ${shapes}
 fn environment() -> vec3f {
   return scene.environment[0].rgb;
 }
-${features.VERTICES ? TEXTURE_LOOKUPS : ""}${emitVertexLayout(geometry)}
+${features.VERTICES ? TEXTURE_LOOKUPS : ""}${emitVertexLayout(features, geometry)}
 ${emitLookups(tables, values)}
 ${emitLobes(features)}${emitLightSamplers(lights, features)}
 ${lightChoice}`;
@@ -82,10 +82,11 @@ function stackSizeFor(geometry: Geometry | undefined): number {
 }
 
 /** Where the parts of a vertex are, in pairs of f32; see `VertexLayout`. */
-function emitVertexLayout(geometry: Geometry | undefined): string {
+function emitVertexLayout({ UV_TRANSFORMS }: Features, geometry: Geometry | undefined): string {
   if (!geometry) return "";
-  const { stride, colors = 0, tangents = 0 } = geometry.vertexLayout;
-  return `const VERTEX_STRIDE = ${stride}u;\nconst COLOR_AT = ${colors}u;\nconst TANGENT_AT = ${tangents}u;\n`;
+  const { stride, colors = 0, tangents = 0, uvs1 = 0 } = geometry.vertexLayout;
+  const second = UV_TRANSFORMS ? `const UVS1_AT = ${uvs1}u;\n` : "";
+  return `const VERTEX_STRIDE = ${stride}u;\nconst COLOR_AT = ${colors}u;\nconst TANGENT_AT = ${tangents}u;\n${second}`;
 }
 
 const TEXTURE_LOOKUPS = `

@@ -2,6 +2,7 @@ import type { Light } from "../lights/light";
 import { hasHoles } from "../lobes/coverage";
 import { LOBE_WORDS, lobeFeatures } from "../lobes/lobes";
 import { TEXTURE_FIELDS, type TextureField } from "../scene/schema";
+import { isPlain } from "../scene/textureReference";
 import { hullOf, kindOf, type Shape } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
 import { isEmissive, type Primitive } from "./primitives";
@@ -59,6 +60,8 @@ export function deriveFeatures(
     SURFACE_TEXTURES: hasTexture("baseColorTexture") || hasTexture("metallicRoughnessTexture"),
     EMISSION_TEXTURES: hasTexture("emissionTexture"),
     NORMAL_TEXTURES,
+    // Some texture is looked up with other coordinates than the first of its mesh as they are.
+    UV_TRANSFORMS: TEXTURE_FIELDS.some((field) => materials.some(({ [field]: t }) => t !== undefined && !isPlain(t))),
     ...lobeFeatures(materials),
     EMISSION: primitives.some(isEmissive),
     EMISSIVE_BALLS: primitives.some((primitive) => isEmissive(primitive) && familyOf(primitive.shape) === "ball"),

@@ -31,13 +31,11 @@ export const FACTORS = defineStruct({
   normalTexture: "u32",
 });
 
+const LOOK = { place: "vec3u", wrapU: "u32", wrapV: "u32", nearest: "u32" } as const;
 /** One texture: `Texture` in `wgsl/textures.wgsl`. */
-export const TEXTURE = defineStruct({
-  place: "vec3u",
-  wrapU: "u32",
-  wrapV: "u32",
-  nearest: "u32",
-});
+export const TEXTURE = defineStruct(LOOK);
+/** The same with `UV_TRANSFORMS`: one texture in one of its places. */
+export const PLACED_TEXTURE = defineStruct({ ...LOOK, uv: "u32", toU: "vec3f", toV: "vec3f" });
 
 /** What changes from dispatch to dispatch: `FrameUniforms` in `wgsl/frameUniforms.wgsl`. */
 export const FRAME = defineStruct({

@@ -7,6 +7,7 @@ import type { Geometry } from "../tree/geometry";
 import { hasManyLights } from "./emitLights";
 import { unboundedRows } from "./emitLoops";
 import type { Features } from "./features";
+import { PLACED_TEXTURE, TEXTURE } from "./layouts";
 import { materialTable } from "./materialTable";
 import type { Primitive } from "./primitives";
 import type { Unrolling } from "./unrolling";
@@ -33,12 +34,16 @@ export function tablesOf(
     lights: lightRows(primitives, lights, geometry),
     ...lightBoundRows(isMany ? lights : [], primitives),
     unbounded: unboundedRows(unrolling, primitives),
-    ofTextures: features.VERTICES
-      ? geometry?.textureTables(
-          textures,
-          primitives.map(({ material }) => material),
-        )
-      : undefined, // nobody may use them
+    ofTextures:
+      features.VERTICES && geometry
+        ? {
+            ...geometry.textureTables(
+              textures,
+              primitives.map(({ material }) => material),
+            ),
+            layout: features.UV_TRANSFORMS ? PLACED_TEXTURE : TEXTURE,
+          }
+        : undefined, // nobody may use them
   };
 }
 

@@ -1,7 +1,7 @@
 // The layout of `scene`, the buffer that holds a scene's values: its text and its bytes from one list of members.
 
 import { defineStruct, type StructFields, type StructLayout, type StructValue } from "./defineStruct";
-import { FACTORS, LIGHT, TEXTURE, UNBOUNDED } from "./layouts";
+import { FACTORS, LIGHT, UNBOUNDED } from "./layouts";
 import type { Tables } from "./packScene";
 import type { Unrolling } from "./unrolling";
 
@@ -37,7 +37,7 @@ export function sceneMembers(tables: Tables, { loops }: Unrolling): Member[] {
     ...(ofTextures
       ? [
           structs("factors", "Factors", FACTORS, ofTextures.factors),
-          structs("textures", "Texture", TEXTURE, ofTextures.textures),
+          structs<StructFields>("textures", "Texture", ofTextures.layout, ofTextures.textures),
         ]
       : []),
   ];

@@ -5,6 +5,8 @@ import type { Camera, SceneObject, Vec3 } from "../scene/schema";
 
 export type Mesh = Extract<SceneObject, { type: "mesh" }>;
 
+export type Uv = readonly [u: number, v: number];
+
 /** A point of a mesh, on the side from which the camera sees it. */
 export type SeenPoint = {
   readonly mesh: Mesh;
@@ -12,8 +14,8 @@ export type SeenPoint = {
   /** Of the triangle; unit, on the camera's side. */
   readonly normal: Vec3;
   readonly isFront: boolean;
-  /** Texture coordinates, if the mesh has any. */
-  readonly uv: readonly [number, number] | undefined;
+  /** Texture coordinates of each of the two sets, if the mesh has it. */
+  readonly uvs: readonly [Uv | undefined, Uv | undefined];
 };
 
 /** Pixels in a row and in a column. A part that covers a tenth of the picture is in 25 of them. */
@@ -121,9 +123,9 @@ function toPixel(place: number): number {
   return ((place + 1) * SIZE - 1) / 2;
 }
 
-function toPoint({ point, normal, uv }: ReturnType<typeof pointOf>, mesh: Mesh, eye: Vec3): SeenPoint {
+function toPoint({ point, normal, uvs }: ReturnType<typeof pointOf>, mesh: Mesh, eye: Vec3): SeenPoint {
   const isFront = dot(normal, subtract(eye, point)) >= 0;
-  return { mesh, point, normal: isFront ? normal : scale(normal, -1), isFront, uv };
+  return { mesh, point, normal: isFront ? normal : scale(normal, -1), isFront, uvs };
 }
 
 /**
@@ -132,16 +134,20 @@ function toPoint({ point, normal, uv }: ReturnType<typeof pointOf>, mesh: Mesh, 
  * @param triangle - where its first index is.
  * @param weights - of its corners; their sum is 1.
  */
-export function pointOf(mesh: Mesh, triangle: number, weights: Vec3): Pick<SeenPoint, "point" | "normal" | "uv"> {
-  const { positions, indices, uvs } = mesh;
+export function pointOf(mesh: Mesh, triangle: number, weights: Vec3): Pick<SeenPoint, "point" | "normal" | "uvs"> {
+  const { positions, indices, uvs, uvs1 } = mesh;
   const corners = [0, 1, 2].map((corner) => indices[triangle + corner]!);
   const [a, b, c] = corners.map((corner) => vectorAt(positions as ArrayLike<number>, 3 * corner)) as [Vec3, Vec3, Vec3];
   const point = add(add(scale(a, weights[0]), scale(b, weights[1])), scale(c, weights[2]));
-  const uvOf = (axis: number) => corners.reduce((sum, corner, i) => sum + weights[i]! * uvs![2 * corner + axis]!, 0);
+  const uvOf = (set: Mesh["uvs"]): Uv | undefined => {
+    if (set === undefined) return undefined;
+    const along = (axis: number) => corners.reduce((sum, corner, i) => sum + weights[i]! * set[2 * corner + axis]!, 0);
+    return [along(0), along(1)];
+  };
   return {
     point,
     normal: normalize(cross(subtract(b, a), subtract(c, a))),
-    uv: uvs === undefined ? undefined : [uvOf(0), uvOf(1)],
+    uvs: [uvOf(uvs), uvOf(uvs1)],
   };
 }
 

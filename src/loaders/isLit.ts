@@ -2,8 +2,9 @@
 
 import { dot, length, subtract } from "../math/vec3";
 import type { Light, Material, Rgb, Scene, Texture, Vec3 } from "../scene/schema";
+import { uvRows, wholeReference } from "../scene/textureReference";
 import { extentOf, twiceAreaAt } from "./bounds";
-import { firstSight, type Mesh, pointOf, type SeenPoint } from "./firstSight";
+import { firstSight, type Mesh, pointOf, type SeenPoint, type Uv } from "./firstSight";
 import { IRRADIANCE } from "./frameModel";
 
 /** W·m⁻²: five stops less than the table gives. A white surface shows as 36 of 255 with it. */
@@ -35,9 +36,9 @@ export function isLit(scene: Scene): boolean {
   const emitters = emittersOf(meshes, scene);
   if (lights.length === 0 && emitters.length === 0) return false;
   const seen = firstSight(camera, meshes);
-  const emits = ({ mesh, isFront, uv }: SeenPoint) => {
+  const emits = ({ mesh, isFront, uvs }: SeenPoint) => {
     const material = materials[mesh.material]!;
-    return (isFront || hasTwoSides(material)) && Math.max(...emissionAt(material, uv, scene)) >= ENOUGH / Math.PI;
+    return (isFront || hasTwoSides(material)) && Math.max(...emissionAt(material, uvs, scene)) >= ENOUGH / Math.PI;
   };
   const dark = seen.filter((point) => !emits(point));
   if (dark.length <= seen.length / 2) return true;
@@ -83,8 +84,8 @@ function emittersOf(meshes: readonly Mesh[], scene: Scene): Emitter[] {
     for (let i = 0; i < indices.length; i += 3) {
       passed += (twiceAreaAt(positions, indices, i) / 2) * strength;
       while (emitters.length < EMITTER_POINTS && passed > (emitters.length + 0.5) * step) {
-        const { point, normal, uv } = pointOf(mesh, i, spreadWeights(emitters.length));
-        const radiance = emissionAt(materials[mesh.material]!, uv, scene);
+        const { point, normal, uvs } = pointOf(mesh, i, spreadWeights(emitters.length));
+        const radiance = emissionAt(materials[mesh.material]!, uvs, scene);
         const isDoubleSided = hasTwoSides(materials[mesh.material]!);
         emitters.push({ point, normal, area: step / strength, radiance, isDoubleSided });
       }
@@ -113,16 +114,18 @@ function hasTwoSides({ unlit = false, doubleSided = false }: Material): boolean 
   return unlit || doubleSided;
 }
 
-function emissionAt(material: Material, uv: readonly [number, number] | undefined, { textures = {} }: Scene): Rgb {
+function emissionAt(material: Material, uvs: SeenPoint["uvs"], { textures = {} }: Scene): Rgb {
   const emission = emissionOf(material);
-  const texture = textures[(material.unlit ? material.baseColorTexture : material.emissionTexture) ?? ""];
+  const reference = wholeReference((material.unlit ? material.baseColorTexture : material.emissionTexture) ?? "");
+  const [texture, uv] = [textures[reference.texture], uvs[reference.uv]];
   if (texture === undefined || uv === undefined) return emission;
-  const color = texelAt(texture, uv);
+  const [toU, toV] = uvRows(reference);
+  const color = texelAt(texture, [dot(toU, [...uv, 1]), dot(toV, [...uv, 1])]);
   return [emission[0] * color[0], emission[1] * color[1], emission[2] * color[2]];
 }
 
 /** The colour of the texel at a point, linear. */
-function texelAt({ width, height, texels, wrapU, wrapV }: Texture, [u, v]: readonly [number, number]): Rgb {
+function texelAt({ width, height, texels, wrapU, wrapV }: Texture, [u, v]: Uv): Rgb {
   const column = Math.min(width - 1, Math.floor(wrap(u, wrapU) * width));
   const row = Math.min(height - 1, Math.floor(wrap(v, wrapV) * height));
   const at = 4 * (width * row + column);

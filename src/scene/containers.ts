@@ -90,6 +90,36 @@ export function byType<const Options extends Readonly<Record<string, v.GenericSc
 }
 
 /**
+ * A string, or an object with more to say.
+ *
+ * @param object - a `strictObject`.
+ * @param expected - what the string is and the object, for the error.
+ */
+export function stringOr<In extends object, Out>(
+  object: v.GenericSchema<In, Out>,
+  expected: string,
+): v.GenericSchema<string | In, string | Out> {
+  return v.pipe(
+    v.custom<string | In>(
+      (input) => typeof input === "string" || isObject(input),
+      (issue) => `expected ${expected}, got ${show(issue.input)}`,
+    ),
+    v.rawTransform(({ dataset: { value: input }, config }) =>
+      typeof input === "string" ? input : Report.of(config).parseWhole(object, input),
+    ),
+    hasShape({ kind: "stringOr", object }),
+  ) as v.GenericSchema<string | In, string | Out>;
+}
+
+/** Exactly two of something; see `triple`. */
+export function pair<In, Out>(
+  item: v.GenericSchema<In, Out>,
+  expected: string,
+): v.GenericSchema<readonly [In, In], readonly [Out, Out]> {
+  return tuple<In, Out, readonly [In, In], readonly [Out, Out]>(2, item, expected);
+}
+
+/**
  * Exactly three of something.
  *
  * @param expected - how a correct value looks, for the error: `[x, y, z]`.
@@ -98,25 +128,34 @@ export function byType<const Options extends Readonly<Record<string, v.GenericSc
 export function triple<In, Out>(
   item: v.GenericSchema<In, Out>,
   expected: string,
-  problem: (triple: readonly [Out, Out, Out]) => string | undefined = () => undefined,
+  problem?: (triple: readonly [Out, Out, Out]) => string | undefined,
 ): v.GenericSchema<readonly [In, In, In], readonly [Out, Out, Out]> {
+  return tuple<In, Out, readonly [In, In, In], readonly [Out, Out, Out]>(3, item, expected, problem);
+}
+
+function tuple<In, Out, Ins extends readonly In[], Outs extends readonly Out[]>(
+  length: number,
+  item: v.GenericSchema<In, Out>,
+  expected: string,
+  problem: (tuple: Outs) => string | undefined = () => undefined,
+): v.GenericSchema<Ins, Outs> {
   return v.pipe(
-    v.custom<readonly [In, In, In]>(
-      (input) => Array.isArray(input) && input.length === 3,
+    v.custom<Ins>(
+      (input) => Array.isArray(input) && input.length === length,
       (issue) => `expected ${expected}, got ${show(issue.input)}`,
     ),
     v.rawTransform(({ dataset: { value: input }, config }) => {
       const report = Report.of(config);
-      const items = [0, 1, 2].map((i) => report.parse(item, input[i], i));
+      const items = Array.from({ length }, (_, i) => report.parse(item, input[i], i));
       if (items.includes(undefined)) return undefined;
-      const parsed = items as unknown as readonly [Out, Out, Out];
+      const parsed = items as readonly Out[] as Outs;
       const wanted = problem(parsed);
       if (wanted === undefined) return parsed;
       report.add(() => `expected ${wanted}, got ${show(parsed)}`);
       return undefined;
     }),
-    hasShape({ kind: "triple", item }),
-  ) as v.GenericSchema<readonly [In, In, In], readonly [Out, Out, Out]>;
+    hasShape({ kind: "tuple", length, item }),
+  ) as v.GenericSchema<Ins, Outs>;
 }
 
 /** An array of any length up to a million. The result is a new array. */

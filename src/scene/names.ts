@@ -32,12 +32,18 @@ export function checkNames(
   if (materials === undefined) return;
   const textured = new Set(Object.keys(materials).filter((name) => hasTexture(materials[name])));
   const unknownMaterial = unknownName("material", Object.keys(materials));
+  const needs = new Map([...textured].map((name) => [name, setsOf(materials[name]!)]));
   for (const [i, object] of objects.entries()) {
     const name = object?.material;
     if (object === undefined || name === undefined) continue;
     if (!Object.hasOwn(materials, name)) addIssue(["objects", i, "material"], unknownMaterial(name));
-    else if (textured.has(name) && !("uvs" in object)) {
-      addIssue(["objects", i, "material"], `${show(name)} has textures, which show on meshes with uvs only`);
+    else {
+      for (const [set, field] of needs.get(name) ?? []) {
+        const list = set === 1 ? "uvs1" : "uvs";
+        if (list in object) continue;
+        const which = set === 1 ? `${field} with uv 1, which shows` : "textures, which show";
+        addIssue(["objects", i, "material"], `${show(name)} has ${which} on meshes with ${list} only`);
+      }
     }
   }
 
@@ -45,15 +51,32 @@ export function checkNames(
   const unknownTexture = unknownName("texture", Object.keys(textures));
   for (const material of textured) {
     for (const field of TEXTURE_FIELDS) {
-      const name = materials[material]?.[field];
-      if (name === undefined || Object.hasOwn(textures, name)) continue;
-      addIssue(["materials", material, field], unknownTexture(name));
+      const reference = materials[material]?.[field];
+      const { texture } = partsOf(reference);
+      if (texture === undefined || Object.hasOwn(textures, texture)) continue;
+      const path = typeof reference === "string" ? [field] : [field, "texture"];
+      addIssue(["materials", material, ...path], unknownTexture(texture));
     }
   }
 }
 
 function hasTexture(material: Sound<ResolvedMaterial> | undefined): boolean {
   return material !== undefined && TEXTURE_FIELDS.some((field) => field in material);
+}
+
+/** The sets of texture coordinates that a material's textures ask for, each with the first field that does. */
+function setsOf(material: Sound<ResolvedMaterial>): ReadonlyMap<0 | 1, TextureField> {
+  const sets = new Map<0 | 1, TextureField>();
+  for (const field of TEXTURE_FIELDS) {
+    const { uv } = partsOf(material[field]);
+    if (uv !== undefined && !sets.has(uv)) sets.set(uv, field);
+  }
+  return sets;
+}
+
+/** What is sound of a reference to a texture. */
+function partsOf(reference: ResolvedMaterial[TextureField]): { texture?: string | undefined; uv?: 0 | 1 | undefined } {
+  return typeof reference === "string" ? { texture: reference, uv: 0 } : (reference ?? {});
 }
 
 /** Says that a name is not among these. They are looked through once: there can be a million, and as many who miss one. */

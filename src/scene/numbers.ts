@@ -1,5 +1,5 @@
 import * as v from "valibot";
-import { lengthOf, triple } from "./containers";
+import { lengthOf, pair, triple } from "./containers";
 import { show } from "./describe";
 import { isKept, keep } from "./keptBytes";
 import { Report } from "./report";
@@ -39,6 +39,8 @@ export function numberThat(expected: string, range: Range): v.GenericSchema<numb
   return number({ ...range, expected });
 }
 
+/** `[u, v]`, any finite numbers. */
+export const vec2 = pair(finite, "[u, v]");
 /** `[x, y, z]`, any finite numbers. */
 export const vec3 = triple(finite, "[x, y, z]");
 /** `[x, y, z]`, each > 0. */
@@ -46,7 +48,7 @@ export const sizes = triple(positive, "[x, y, z]");
 /** `[x, y, z]`, not all zero; the length is not 1 in general. */
 export const direction = v.pipe(
   triple(finite, "[x, y, z]", (vector) => (Math.hypot(...vector) < MIN_SIZE ? "a vector that is not zero" : undefined)),
-  hasShape({ kind: "triple", item: finite, isNonZero: true }),
+  hasShape({ kind: "tuple", length: 3, item: finite, isNonZero: true }),
 );
 /** `[r, g, b]`, linear Rec. 709, each from 0 to 1: reflectances. */
 export const reflectance = triple(fraction, "[r, g, b]");

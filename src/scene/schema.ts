@@ -3,7 +3,7 @@
 // Right-handed, Y up, metres; colours are linear Rec. 709; angles are in degrees.
 
 import * as v from "valibot";
-import { byType, dictionary, list, strictObject, triple } from "./containers";
+import { byType, dictionary, list, strictObject, stringOr, triple } from "./containers";
 import { oneOf, show, suggest } from "./describe";
 import { checkNames } from "./names";
 import {
@@ -20,6 +20,7 @@ import {
   positive,
   reflectance,
   sizes,
+  vec2,
   vec3,
 } from "./numbers";
 
@@ -68,8 +69,25 @@ const flag = v.optional(
   false,
 );
 
-/** The name of one of the scene's textures. */
-const textureName = v.string((issue) => `expected the name of a texture, got ${show(issue.input)}`);
+/** One of the scene's textures and how it lies on a surface. A name alone is the first set of texture coordinates as it is. */
+export const TextureReferenceSchema = strictObject({
+  /** Name of the texture. */
+  texture: v.string((issue) => `expected the name of a texture, got ${show(issue.input)}`),
+  /** Which texture coordinates it is looked up with: 0 is the mesh's `uvs`, 1 its `uvs1`. They are scaled, then turned, then moved. */
+  uv: v.optional(
+    v.picklist([0, 1], (issue) => `expected 0 or 1, got ${show(issue.input)}`),
+    0,
+  ),
+  /** Added to u and v, last. */
+  offset: v.optional(vec2, [0, 0]),
+  /** Multiplies u and v, first: with 2 the texture is there twice. */
+  scale: v.optional(vec2, [1, 1]),
+  /** Degrees around (0, 0), counter-clockwise where v points down (KHR_texture_transform). */
+  rotation: v.optional(finite, 0),
+});
+
+/** A texture by its name, or with its place. */
+const textureReference = stringOr(TextureReferenceSchema, "the name of a texture or an object with one");
 
 /** A surface as in glTF 2.0: metallic-roughness. */
 export const MaterialSchema = strictObject(
@@ -103,14 +121,14 @@ export const MaterialSchema = strictObject(
     alphaMode: choice(ALPHA_MODES, "opaque"),
     /** Of a mask, ≥ 0. */
     alphaCutoff: v.optional(numberThat("a finite number ≥ 0", { min: 0 }), 0.5),
-    /** Name of the texture whose colour, sRGB, multiplies `baseColor`, and whose alpha multiplies `alpha`. Textures show on meshes that have `uvs`. */
-    baseColorTexture: v.optional(textureName),
-    /** Name of the texture whose green multiplies `roughness` and whose blue multiplies `metallic`; linear. */
-    metallicRoughnessTexture: v.optional(textureName),
-    /** Name of the texture whose colour, sRGB, multiplies `emission`. */
-    emissionTexture: v.optional(textureName),
-    /** Name of the texture that bends the normal: 0…255 is −1…1 along tangent, bitangent and normal; linear. */
-    normalTexture: v.optional(textureName),
+    /** The texture whose colour, sRGB, multiplies `baseColor`, and whose alpha multiplies `alpha`. Textures show on meshes that have `uvs`. */
+    baseColorTexture: v.optional(textureReference),
+    /** The texture whose green multiplies `roughness` and whose blue multiplies `metallic`; linear. */
+    metallicRoughnessTexture: v.optional(textureReference),
+    /** The texture whose colour, sRGB, multiplies `emission`. */
+    emissionTexture: v.optional(textureReference),
+    /** The texture that bends the normal: 0…255 is −1…1 along tangent, bitangent and normal; linear. */
+    normalTexture: v.optional(textureReference),
     /** How far along the surface `normalTexture` bends the normal. */
     normalScale: v.optional(finite, 1),
   },
@@ -227,6 +245,8 @@ export const ObjectSchema = byType({
       normals: v.optional(floats),
       /** u, v per vertex: where it is on the material's textures; (0, 0) is their top left corner, (1, 1) the bottom right. */
       uvs: v.optional(floats),
+      /** A second set, for textures that ask for it by `uv: 1`. */
+      uvs1: v.optional(floats),
       /** Red, green, blue and alpha per vertex, from 0 to 1, linear: they multiply the material's `baseColor` and `alpha`. */
       colors: v.optional(fractions),
       /**
@@ -236,7 +256,7 @@ export const ObjectSchema = byType({
       tangents: v.optional(floats),
       material: materialName,
     },
-    ({ positions, indices, normals, uvs, colors, tangents }, addIssue) => {
+    ({ positions, indices, normals, uvs, uvs1, colors, tangents }, addIssue) => {
       if (positions && positions.length % 3 !== 0) {
         addIssue(["positions"], `expected three numbers per vertex, got ${positions.length} numbers`);
       }
@@ -246,8 +266,10 @@ export const ObjectSchema = byType({
       if (positions && normals && normals.length !== positions.length) {
         addIssue(["normals"], `expected as many numbers as positions (${positions.length}), got ${normals.length}`);
       }
-      if (positions && uvs && uvs.length / 2 !== positions.length / 3) {
-        addIssue(["uvs"], `expected two numbers per vertex (${(2 * positions.length) / 3}), got ${uvs.length}`);
+      for (const [name, values] of Object.entries({ uvs, uvs1 })) {
+        if (!positions || !values || values.length / 2 === positions.length / 3) continue;
+        const message = `expected two numbers per vertex (${(2 * positions.length) / 3}), got ${values.length}`;
+        addIssue([name as "uvs" | "uvs1"], message);
       }
       for (const [name, values] of Object.entries({ colors, tangents })) {
         if (!positions || !values || values.length / 4 === positions.length / 3) continue;
@@ -329,6 +351,8 @@ export type Camera = v.InferInput<typeof CameraSchema>;
 export type Material = v.InferInput<typeof MaterialSchema>;
 /** A picture for materials, as users write it. */
 export type Texture = v.InferInput<typeof TextureSchema>;
+/** One of the scene's textures and how it lies on a surface, as users write it. */
+export type TextureReference = v.InferInput<typeof textureReference>;
 /** One of the things in a scene, told apart by `type`. */
 export type SceneObject = v.InferInput<typeof ObjectSchema>;
 /** A lamp, as users write it, told apart by `type`. */

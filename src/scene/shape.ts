@@ -17,7 +17,13 @@ export type Shape =
   | { readonly kind: "object"; readonly entries: Readonly<Record<string, v.GenericSchema>> }
   | { readonly kind: "byType"; readonly options: Readonly<Record<string, v.GenericSchema>> }
   | { readonly kind: "list"; readonly item: v.GenericSchema }
-  | { readonly kind: "triple"; readonly item: v.GenericSchema; readonly isNonZero?: boolean }
+  | {
+      readonly kind: "tuple";
+      readonly length: number;
+      readonly item: v.GenericSchema;
+      readonly isNonZero?: boolean;
+    }
+  | { readonly kind: "stringOr"; readonly object: v.GenericSchema }
   | { readonly kind: "dictionary"; readonly item: v.GenericSchema };
 
 /** The part of a pipe that says what the pipe accepts; a later one overrides an earlier one. */

@@ -7,9 +7,10 @@
 import package::constants::NONE;
 import package::minMax::{greater, lesser};
 import package::ray::Ray;
-import package::scene::{COLOR_AT, TANGENT_AT, VERTEX_STRIDE, factorsOf};
-import package::textures::{Factors, dataAt};
+import package::scene::{COLOR_AT, TANGENT_AT, UVS1_AT, VERTEX_STRIDE, factorsOf, textureOf};
+import package::textures::{Factors, dataAt, uvTurned};
 import package::tree::{Item, TURNED_TRIANGLE};
+import package::uvs::Uvs;
 
 // Of each triangle the normals of its three vertices, octahedral, two snorm16 each. By slot. Written by the renderer when the
 // geometry changes.
@@ -51,7 +52,7 @@ struct MeshPoint {
   // From p to the smooth surface that the vertices' normals tell of, on the side of the ray's origin; zero where that is hollow. [4]
   @if(SMOOTH) lift: vec3f,
   // Interpolated.
-  @if(TEXTURES) uv: vec2f,
+  @if(TEXTURES) uv: Uvs,
   @if(COLORS) color: vec4f,
 }
 
@@ -124,9 +125,20 @@ fn liftTo(height: f32, n: vec3f) -> vec3f {
   return -lesser(height, 0.0) * n;
 }
 
-@if(TEXTURES)
-fn uvAt(slot: u32, weights: vec3f) -> vec2f {
+@if(TEXTURES && !UV_TRANSFORMS)
+fn uvAt(slot: u32, weights: vec3f) -> Uvs {
   return weights.x * vertexPart(slot, 0u, 0u) + weights.y * vertexPart(slot, 1u, 0u) + weights.z * vertexPart(slot, 2u, 0u);
+}
+
+@if(UV_TRANSFORMS)
+fn uvAt(slot: u32, weights: vec3f) -> Uvs {
+  return vec4f(pairOn(slot, weights, 0u), pairOn(slot, weights, UVS1_AT));
+}
+
+// A pair, interpolated.
+@if(UV_TRANSFORMS)
+fn pairOn(slot: u32, weights: vec3f, at: u32) -> vec2f {
+  return weights.x * vertexPart(slot, 0u, at) + weights.y * vertexPart(slot, 1u, at) + weights.z * vertexPart(slot, 2u, at);
 }
 
 // A pair of what a corner of a triangle has.
@@ -151,9 +163,14 @@ fn quadOn(slot: u32, weights: vec3f, at: u32) -> vec4f {
 // The normal that a texture tells, in glTF's tangent space: x along growing u, y along falling v. e1 and e2 are the triangle's
 // edges from its first vertex, in any unit.
 @if(NORMAL_TEXTURES)
-fn texturedNormal(slot: u32, weights: vec3f, factors: Factors, uv: vec2f, n: vec3f, e1: vec3f, e2: vec3f) -> vec3f {
-  let d1 = vertexPart(slot, 1u, 0u) - vertexPart(slot, 0u, 0u);
-  let d2 = vertexPart(slot, 2u, 0u) - vertexPart(slot, 0u, 0u);
+fn texturedNormal(slot: u32, weights: vec3f, factors: Factors, uv: Uvs, n: vec3f, e1: vec3f, e2: vec3f) -> vec3f {
+  @if(!UV_TRANSFORMS) let d1 = vertexPart(slot, 1u, 0u) - vertexPart(slot, 0u, 0u);
+  @if(!UV_TRANSFORMS) let d2 = vertexPart(slot, 2u, 0u) - vertexPart(slot, 0u, 0u);
+  @if(UV_TRANSFORMS) if (factors.normalTexture == NONE) { return n; }
+  @if(UV_TRANSFORMS) let texture = textureOf(factors.normalTexture);
+  @if(UV_TRANSFORMS) let at = texture.uv * UVS1_AT;
+  @if(UV_TRANSFORMS) let d1 = uvTurned(texture, vertexPart(slot, 1u, at) - vertexPart(slot, 0u, at));
+  @if(UV_TRANSFORMS) let d2 = uvTurned(texture, vertexPart(slot, 2u, at) - vertexPart(slot, 0u, at));
   let turn = sign(d1.x * d2.y - d1.y * d2.x);
   let alongU = (e1 * d2.y - e2 * d1.y) * turn;
   let alongV = (e2 * d1.x - e1 * d2.x) * turn;

@@ -175,7 +175,7 @@ function isSameItem(a: BoundedPrimitive, b: BoundedPrimitive): boolean {
   return item.w === before.w && item.vectors.every((vector, i) => areEqual(vector, before.vectors[i]!));
 }
 
-const GEOMETRY_FIELDS = ["positions", "indices", "normals", "uvs", "colors", "tangents"] as const;
+const GEOMETRY_FIELDS = ["positions", "indices", "normals", "uvs", "uvs1", "colors", "tangents"] as const;
 
 function areEqual(a: ArrayLike<number> | undefined, b: ArrayLike<number> | undefined): boolean {
   if (a === b) return true;

@@ -3,7 +3,7 @@ import type { MeshPart } from "./meshPart";
 
 /**
  * What the vertices of triangles have beside positions and normals, in pairs of f32: texture coordinates first; then, where some mesh
- * has them, colours and tangents.
+ * has them, colours, tangents and a second set of texture coordinates.
  */
 export type VertexLayout = {
   /** Pairs of a vertex. */
@@ -11,19 +11,20 @@ export type VertexLayout = {
   /** Where in a vertex they start; undefined where no mesh has them. */
   readonly colors?: number;
   readonly tangents?: number;
+  readonly uvs1?: number;
 };
 
 /** Undefined where there is nothing. */
 export function vertexLayoutOf(parts: readonly MeshPart[], hasTextures: boolean): VertexLayout {
   let stride = hasTextures ? 1 : 0;
-  const place = (field: "colors" | "tangents") => {
-    if (!parts.some(({ object }) => object[field] !== undefined)) return undefined;
-    stride += 2;
-    return stride - 2;
+  const place = (field: "colors" | "tangents" | "uvs1", pairs: number) => {
+    if (!parts.some(({ object }) => object[field] !== undefined)) return {};
+    stride += pairs;
+    return { [field]: stride - pairs };
   };
-  const colors = place("colors");
-  const tangents = hasTextures ? place("tangents") : undefined;
-  return { stride, ...(colors !== undefined && { colors }), ...(tangents !== undefined && { tangents }) };
+  const colors = place("colors", 2);
+  const ofTextures = hasTextures ? { ...place("tangents", 2), ...place("uvs1", 1) } : {};
+  return { stride, ...colors, ...ofTextures };
 }
 
 /** Writes what a vertex has, from `at` on. What its mesh lacks is zero; a colour white. */
@@ -31,13 +32,14 @@ export function writeVertex(
   floats: Float32Array,
   at: number,
   vertex: number,
-  { uvs, colors, tangents }: MeshObject,
+  { uvs, uvs1, colors, tangents }: MeshObject,
   layout: VertexLayout,
 ): void {
   const write = (values: Float32Array, size: number, pair: number) => {
     for (let i = 0; i < size; i++) floats[at + 2 * pair + i] = values[size * vertex + i]!;
   };
   if (uvs && layout.stride > 0) write(uvs, 2, 0);
+  if (uvs1 && layout.uvs1 !== undefined) write(uvs1, 2, layout.uvs1);
   if (tangents && layout.tangents !== undefined) write(tangents, 4, layout.tangents);
   if (layout.colors === undefined) return;
   if (colors) write(colors, 4, layout.colors);

@@ -11,6 +11,7 @@ import package::scene::{Bsdf, doubleSidedOf, emissionOf, factorsOf, lightDensity
 import package::shapes::mesh::consistentNormal;
 import package::surfacePoint::{SurfacePoint, sourceAt, surfacePoint};
 import package::textures::{colorAt, dataAt};
+import package::uvs::Uvs;
 
 // Cosine of the angle from which on rays start on the smooth surface: Cycles' default.
 const TERMINATOR = 0.1;
@@ -50,7 +51,7 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   }
   surface.frame = frameAround(n);
   surface.wo = toLocal(surface.frame, -ray.d);
-  var uv = vec2f(0.0);
+  var uv = Uvs(0.0);
   @if(TEXTURES) uv = found.uv;
   var color = vec3f(1.0);
   @if(COLORS) color = found.color.rgb;
@@ -89,7 +90,7 @@ fn leaves(surface: Surface, wi: vec3f) -> bool {
 }
 
 // How a primitive scatters towards the viewer, at texture coordinates and with the colour of its vertices.
-fn bsdfOf(id: u32, wo: vec3f, uv: vec2f, color: vec3f) -> Bsdf {
+fn bsdfOf(id: u32, wo: vec3f, uv: Uvs, color: vec3f) -> Bsdf {
   var material = materialOf(id);
   @if(SURFACE_TEXTURES || COLORS) {
     let factors = factorsOf(id);

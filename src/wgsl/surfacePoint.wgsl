@@ -4,6 +4,7 @@ import package::ray::{Hit, Ray};
 import package::scene::{PRIMITIVES, anchorOf, cutoffOf, itemNormal, shapeNormal, shapeOf};
 import package::shapes::mesh::{MeshPoint, meshPoint};
 import package::tree::{Item, TURNED_TRIANGLE, itemAt};
+import package::uvs::Uvs;
 
 struct SurfacePoint {
   // As exact as the surface, however far the ray came.
@@ -22,7 +23,7 @@ struct SurfacePoint {
   @if(SHADING_NORMALS) shading: vec3f,
   @if(SMOOTH) smoothN: vec3f,
   @if(SMOOTH) lift: vec3f,
-  @if(TEXTURES) uv: vec2f,
+  @if(TEXTURES) uv: Uvs,
   // Of the vertices; white where they have none.
   @if(COLORS) color: vec4f,
 }

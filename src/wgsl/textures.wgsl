@@ -3,13 +3,14 @@
 import package::constants::NONE;
 import package::minMax::{greater, lesser};
 import package::scene::{factorsOf, textureOf};
+import package::uvs::Uvs;
 
 // Red, green, blue, alpha of all textures, a byte each from the lowest on; rows from the top. Written by the renderer when the
 // geometry changes.
 @if(TEXTURES)
 @group(0) @binding(10) var<storage, read> texels: array<u32>;
 
-// One texture, packed by tree/textureTables.ts.
+// One texture, with UV_TRANSFORMS in one of its places; packed by tree/textureTables.ts.
 struct Texture {
   // Width, height, index of the first texel.
   place: vec3u,
@@ -18,6 +19,11 @@ struct Texture {
   wrapV: u32,
   // 1 to take the nearest texel, 0 to interpolate.
   nearest: u32,
+  // Which texture coordinates it is looked up with: 0 or 1.
+  @if(UV_TRANSFORMS) uv: u32,
+  // Rows of the matrix that makes its own coordinates of (u, v, 1).
+  @if(UV_TRANSFORMS) toU: vec3f,
+  @if(UV_TRANSFORMS) toV: vec3f,
 }
 
 const WRAP_REPEAT = 0u;
@@ -43,7 +49,7 @@ struct Footprint {
 
 // A colour, from sRGB.
 @if(TEXTURES)
-fn colorAt(texture: u32, uv: vec2f) -> vec3f {
+fn colorAt(texture: u32, uv: Uvs) -> vec3f {
   if (texture == NONE) { return vec3f(1.0); }
   let f = footprint(textureOf(texture), uv);
   return bilinear(linearOf(valueOf(f.texels.x)), linearOf(valueOf(f.texels.y)), linearOf(valueOf(f.texels.z)),
@@ -52,7 +58,7 @@ fn colorAt(texture: u32, uv: vec2f) -> vec3f {
 
 // Data, as it is.
 @if(TEXTURES)
-fn dataAt(texture: u32, uv: vec2f) -> vec3f {
+fn dataAt(texture: u32, uv: Uvs) -> vec3f {
   if (texture == NONE) { return vec3f(1.0); }
   let f = footprint(textureOf(texture), uv);
   return bilinear(valueOf(f.texels.x), valueOf(f.texels.y), valueOf(f.texels.z), valueOf(f.texels.w), f.share);
@@ -60,7 +66,7 @@ fn dataAt(texture: u32, uv: vec2f) -> vec3f {
 
 // Its alpha.
 @if(ALPHA_TEXTURES)
-fn alphaAt(texture: u32, uv: vec2f) -> f32 {
+fn alphaAt(texture: u32, uv: Uvs) -> f32 {
   if (texture == NONE) { return 1.0; }
   let f = footprint(textureOf(texture), uv);
   let alphas = vec4f(f.texels >> vec4u(24u)) / 255.0;
@@ -68,7 +74,9 @@ fn alphaAt(texture: u32, uv: vec2f) -> f32 {
 }
 
 @if(TEXTURES)
-fn footprint(texture: Texture, uv: vec2f) -> Footprint {
+fn footprint(texture: Texture, given: Uvs) -> Footprint {
+  @if(!UV_TRANSFORMS) let uv = given;
+  @if(UV_TRANSFORMS) let uv = uvTurned(texture, select(given.xy, given.zw, texture.uv == 1u)) + vec2f(texture.toU.z, texture.toV.z);
   let size = vec2f(texture.place.xy);
   let place = vec2f(fold(uv.x, texture.wrapU), fold(uv.y, texture.wrapV)) * size - 0.5;
   let corner = floor(select(place, place + 0.5, texture.nearest == 1u));
@@ -77,6 +85,12 @@ fn footprint(texture: Texture, uv: vec2f) -> Footprint {
   let y = vec2u(column(corner.y, size.y, texture.wrapV), column(corner.y + 1.0, size.y, texture.wrapV));
   let rows = texture.place.z + y * texture.place.x;
   return Footprint(vec4u(texels[rows.x + x.x], texels[rows.x + x.y], texels[rows.y + x.x], texels[rows.y + x.y]), share);
+}
+
+// What a step in its texture coordinates is in a texture's own.
+@if(UV_TRANSFORMS)
+fn uvTurned(texture: Texture, along: vec2f) -> vec2f {
+  return vec2f(dot(texture.toU.xy, along), dot(texture.toV.xy, along));
 }
 
 fn bilinear(a: vec3f, b: vec3f, c: vec3f, d: vec3f, share: vec2f) -> vec3f {

@@ -76,6 +76,8 @@ const TEXTURES = {
   normalTexture: "t",
 } as const;
 
+const PLACED = { texture: "t", uv: 1, scale: [2, -1], rotation: 30 } as const;
+
 const many = <T>(count: number, one: (i: number) => T) => Array.from({ length: count }, (_, i) => one(i));
 const NAMES = ["Lambert", "plastic", "rough metal"];
 const ball = (i: number): SceneObject => {
@@ -168,20 +170,23 @@ export function describePrograms(settings: ProgramSettings): void {
   });
 
   test.each(Object.keys(MATERIALS))(
-    "a mesh of %s compiles without a warning, faceted, smooth and textured",
+    "a mesh of %s compiles without a warning, faceted, smooth and textured, with textures in places of their own",
     async (name) => {
       for (const scene of meshScenes(MATERIALS[name]!)) await expectGood(scene, settings);
     },
   );
 }
 
-/** Of a mesh of a material, faceted, smooth and textured, and a sphere. */
+/** Of a mesh of a material, faceted, smooth and textured, with textures in places of their own, and a sphere. */
 export function meshScenes(material: Material): Scene[] {
   const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
   const mesh = { type: "mesh", positions, indices: [0, 1, 2], material: "m" } as const;
   const textured = { ...mesh, uvs: [0, 0, 1, 0, 0, 1] };
-  return [mesh, { ...mesh, normals: positions }, textured, { ...textured, normals: positions }].map((object): Scene => {
-    const m = { ...material, ...("uvs" in object && TEXTURES) };
+  const twice = { ...textured, normals: positions, tangents: [1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1], uvs1: textured.uvs };
+  const placed = Object.fromEntries(Object.keys(TEXTURES).map((field) => [field, PLACED]));
+  const all = [mesh, { ...mesh, normals: positions }, textured, { ...textured, normals: positions }, twice];
+  return all.map((object): Scene => {
+    const m = { ...material, ...("uvs" in object && TEXTURES), ...("uvs1" in object && placed) };
     const objects = [object, { ...PRIMITIVES["a sphere"]!, material: "n" }];
     return { ...sceneOf(objects, { m, n: {} }, LIGHTS["lights of both kinds"]!, [1, 1, 1]), textures: { t: TEXTURE } };
   });

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { defineStruct, type StructFields } from "../../../src/compile/defineStruct";
-import { FACTORS, FRAME, LIGHT, TEXTURE, VIEW } from "../../../src/compile/layouts";
+import { FACTORS, FRAME, LIGHT, PLACED_TEXTURE, TEXTURE, VIEW } from "../../../src/compile/layouts";
 import { layOut, parseStruct, readStruct } from "../../support/wgslStruct";
 
 /** Byte offset of every field, as `write` uses them: found by writing one field at a time. */
@@ -61,11 +61,18 @@ test("typed arrays are as good as arrays", () => {
 
 const MIRRORED = [
   ["Factors", "wgsl/textures", FACTORS],
-  ["Texture", "wgsl/textures", TEXTURE],
+  ["Texture", "wgsl/textures", PLACED_TEXTURE],
   ["Light", "lights/light", LIGHT],
   ["FrameUniforms", "wgsl/frameUniforms", FRAME],
   ["View", "wgsl/blit", VIEW],
 ] as const;
+
+test("Texture without UV_TRANSFORMS is the same struct without what is under it", () => {
+  const wgsl = readFileSync(new URL("../../../src/wgsl/textures.wgsl", import.meta.url), "utf8");
+  const declared = parseStruct(wgsl.replaceAll(/@if\(UV_TRANSFORMS\).*/g, ""), "Texture");
+  expect(Object.entries(TEXTURE.fields)).toEqual(declared);
+  expect(declared.length).toBeLessThan(Object.keys(PLACED_TEXTURE.fields).length);
+});
 
 test.each(MIRRORED)("%s in %s.wgsl and its table in TypeScript are the same struct", (name, module, layout) => {
   const wgsl = readFileSync(new URL(`../../../src/${module}.wgsl`, import.meta.url), "utf8");

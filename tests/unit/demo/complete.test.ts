@@ -52,6 +52,17 @@ describe("completeScene", () => {
     expect(labels('{ "objects": [{ "type": "|" }] }')).toContain('"plane"');
   });
 
+  test("knows a texture by its name and as an object", () => {
+    const scene = (reference: string) =>
+      `{ "textures": { "wood": {} }, "materials": { "a": { "normalTexture": ${reference} } } }`;
+    expect(labels(scene('"|"'))).toEqual(['"wood"']);
+    expect(labels(scene('{ "texture": "|" }'))).toEqual(['"wood"']);
+    expect(labels(scene('{ "texture": "wood", "|" }'))).toEqual(['"uv"', '"offset"', '"scale"', '"rotation"']);
+    expect(labels(scene('{ "uv": | }'))).toEqual(["0", "1"]);
+    const keys = suggestions('{ "materials": { "a": { "norm|" } } }')!.options;
+    expect(keys).toContainEqual(expect.objectContaining({ apply: '"normalTexture": ""' }));
+  });
+
   test("suggests words where there is a choice, and the scene's own materials", () => {
     expect(labels('{ "materials": { "a": { "masking": "|" } } }')).toEqual(['"smith"', '"schlick-beckmann"']);
     expect(labels('{ "materials": { "a": { "multiscatter": | } } }')).toEqual(["true", "false"]);

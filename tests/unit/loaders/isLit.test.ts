@@ -3,21 +3,33 @@ import { Bounds } from "../../../src/loaders/bounds";
 import { frameBounds } from "../../../src/loaders/frameModel";
 import { isLit } from "../../../src/loaders/isLit";
 import { pointLight } from "../../../src/scene/builders";
-import type { Light, Material, Scene, Vec3 } from "../../../src/scene/schema";
+import type { Light, Material, Scene, TextureReference, Vec3 } from "../../../src/scene/schema";
 import { type MeshData, placed, smoothSphere } from "../../support/meshes";
 
 const GREY: Material = { baseColor: [0.6, 0.6, 0.6] };
 
-type Part = { readonly data: MeshData; readonly material: Material; readonly uvs?: readonly number[] };
+type Part = {
+  readonly data: MeshData;
+  readonly material: Material;
+  readonly uvs?: readonly number[];
+  readonly uvs1?: readonly number[];
+};
 
 /** A scene as the loader makes it, framed by a camera from the front right. */
 function sceneOf(parts: readonly Part[], lights: readonly Light[] = [], more: Partial<Scene> = {}): Scene {
   const bounds = new Bounds();
-  const objects = parts.map(({ data, uvs }, i) => {
+  const objects = parts.map(({ data, uvs, uvs1 }, i) => {
     const positions = Float32Array.from(data.positions);
     const indices = Uint32Array.from(data.indices);
     bounds.add(positions, indices);
-    return { type: "mesh" as const, positions, indices, material: `${i}`, ...(uvs && { uvs: Float32Array.from(uvs) }) };
+    return {
+      type: "mesh" as const,
+      positions,
+      indices,
+      material: `${i}`,
+      ...(uvs && { uvs: Float32Array.from(uvs) }),
+      ...(uvs1 && { uvs1: Float32Array.from(uvs1) }),
+    };
   });
   const materials = Object.fromEntries(parts.map(({ material }, i) => [`${i}`, material]));
   return { camera: frameBounds(bounds), objects, materials, lights, ...more };
@@ -92,9 +104,10 @@ describe("emitters", () => {
       isBright: (column: number) => boolean,
       wrapU: "repeat" | "clamp" | "mirror" = "repeat",
       shift = 0,
+      place?: Exclude<TextureReference, string>,
     ) => {
       const texels = Uint8Array.from({ length: 4 * 16 }, (_, i) => (isBright(Math.floor(i / 4)) ? 255 : 0));
-      const material: Material = { baseColor: [0, 0, 0], emission: [1, 1, 1], emissionTexture: "glow" };
+      const material: Material = { baseColor: [0, 0, 0], emission: [1, 1, 1], emissionTexture: place ?? "glow" };
       const uvs = [0, 0, 1, 0, 1, 1, 0, 1].map((value, i) => (i % 2 === 0 ? value + shift : value));
       const textures = { glow: { width: 16, height: 1, texels, wrapU } };
       return isLit(sceneOf([{ data: SQUARE, material, uvs }], [], { textures }));
@@ -111,6 +124,28 @@ describe("emitters", () => {
       expect(withTexels(isLeft, "clamp", 1)).toBe(false);
       expect(withTexels((column) => column < 10, "mirror", 0.75)).toBe(false);
       expect(withTexels((column) => column < 10, "mirror", 1.5)).toBe(true);
+    });
+
+    test("in a place of its own it glows there", () => {
+      const isLeft = (column: number) => column < 4;
+      const glows = (place: object) => withTexels(isLeft, "clamp", 0, { texture: "glow", ...place });
+      expect(glows({})).toBe(false);
+      expect(glows({ scale: [0.2, 1] })).toBe(true);
+      expect(glows({ offset: [-1, 0] })).toBe(true);
+      expect(glows({ rotation: 180 })).toBe(true); // u is below 0 then
+      expect(glows({ rotation: 90, scale: [1, 0.2] })).toBe(true); // u is a fifth of v
+      expect(glows({ rotation: 90, scale: [1, 1] })).toBe(false);
+    });
+
+    test("a panel that looks it up with the second set glows where that says", () => {
+      const material: Material = { emission: [9, 9, 9], emissionTexture: { texture: "glow", uv: 1 } };
+      const lit = (u: number) => {
+        const part: Part = { data: panel(4, 3), material, uvs: Array(8).fill(0), uvs1: [u, 0, u, 0, u, 0, u, 0] };
+        const texels = Uint8Array.of(0, 0, 0, 255, 255, 255, 255, 255);
+        return isLit(sceneOf([BALL, part], [], { textures: { glow: { width: 2, height: 1, texels } } }));
+      };
+      expect(lit(0.25)).toBe(false);
+      expect(lit(0.75)).toBe(true);
     });
 
     test("a panel whose texture is black gives no light", () => {

@@ -153,6 +153,7 @@ describe("what is accepted", () => {
           indices: new Uint32Array(3),
           normals: Float32Array.of(0, 1, 0),
           uvs: Float32Array.of(0.5, 0.25),
+          uvs1: Float32Array.of(0.25, 0.5),
           material,
         },
       ],
@@ -167,6 +168,21 @@ describe("what is accepted", () => {
       maxBounces: 0,
     };
     expect(parseScene(scene)).toEqual(scene);
+  });
+
+  test("a reference to a texture, filled in or a name, which can be parsed again", () => {
+    const normalTexture = { texture: "t", rotation: 90 };
+    const scene = {
+      ...MINIMAL,
+      textures: { t: { width: 1, height: 1, texels: [0, 0, 0, 0] } },
+      materials: { m: { baseColorTexture: "t", normalTexture } },
+    };
+    const parsed = parseScene(scene);
+    expect(parsed.materials.m).toMatchObject({
+      baseColorTexture: "t",
+      normalTexture: { texture: "t", uv: 0, offset: [0, 0], scale: [1, 1], rotation: 90 },
+    });
+    expect(parseScene(parsed)).toEqual(parsed);
   });
 
   test("the numbers of a mesh in plain and in typed arrays", () => {

@@ -387,6 +387,42 @@ describe("textures", () => {
     ]);
   });
 
+  test.each<[reference: unknown, messages: string[]]>([
+    [7, ["expected the name of a texture or an object with one, got 7"]],
+    [["t"], ['expected the name of a texture or an object with one, got ["t"]']],
+    [{}, [".texture: expected the name of a texture, got nothing"]],
+    [{ texture: "u" }, ['.texture: no texture is named "u"; there are "t"']],
+    [{ texture: "t", uv: 2 }, [".uv: expected 0 or 1, got 2"]],
+    [{ texture: "t", offset: [1] }, [".offset: expected [u, v], got [1]"]],
+    [{ texture: "t", scale: 2 }, [".scale: expected [u, v], got 2"]],
+    [{ texture: "t", rotation: "90" }, ['.rotation: expected a finite number, got "90"']],
+    [{ texture: "t", ofset: [0, 1] }, ['.ofset: unknown key; did you mean "offset"?']],
+    [
+      { texture: 1, uv: "0", offset: [0, null] },
+      [
+        ".texture: expected the name of a texture, got 1",
+        '.uv: expected 0 or 1, got "0"',
+        ".offset[1]: expected a finite number, got null",
+      ],
+    ],
+  ])("a reference %o is refused with its path", (reference, messages) => {
+    const at = (message: string) => `materials.m.normalTexture${message.startsWith(".") ? "" : ": "}${message}`;
+    expect(withTexture({}, { normalTexture: reference })).toEqual(messages.map(at));
+  });
+
+  test("a texture with uv 1 is for meshes with uvs1", () => {
+    const second = { normalTexture: { texture: "t", uv: 1 } };
+    const message = 'objects[0].material: "m" has normalTexture with uv 1, which shows on meshes with uvs1 only';
+    expect(withTexture({}, second)).toEqual([message]);
+    expect(withTexture({}, { ...second, metallicRoughnessTexture: "t" })).toEqual([message]);
+    const { uvs, ...plain } = uvMesh;
+    expect(withTexture({}, second, { ...plain, uvs1: uvs })).toEqual([]);
+    expect(withTexture({}, { ...second, baseColorTexture: "t" }, { ...uvMesh, uvs1: uvs })).toEqual([]);
+    expect(withTexture({}, second, { ...uvMesh, uvs1: [0] })).toEqual([
+      "objects[0].uvs1: expected two numbers per vertex (2), got 1",
+    ]);
+  });
+
   test("a textured material is for meshes with uvs", () => {
     const { uvs, ...plain } = uvMesh;
     const message = 'objects[0].material: "m" has textures, which show on meshes with uvs only';
