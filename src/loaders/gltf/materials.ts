@@ -1,10 +1,11 @@
 // Surfaces: glTF's metallic-roughness model is ours, so most of this is names and defaults.
 
 import { show } from "../../scene/describe";
-import type { Material, Rgb } from "../../scene/schema";
+import type { Material, Rgb, TextureReference } from "../../scene/schema";
+import { wholeReference } from "../../scene/textureReference";
 import type { Warnings } from "../warnings";
 import type { GltfJson } from "./schema";
-import { type CoordinateSource, coordinateSource, isSameSource } from "./textureCoordinates";
+import { coordinateSet, placedTexture } from "./textureCoordinates";
 import type { Textures } from "./textures";
 
 type GltfMaterial = GltfJson["materials"][number];
@@ -17,9 +18,12 @@ const COLORS: ReadonlySet<TextureField> = new Set(["baseColorTexture", "emission
 /** A material for one mesh. */
 export type ChosenMaterial = {
   readonly name: string;
-  /** What its textures are to be looked up with; `undefined` if it has none. */
-  readonly coordinates?: CoordinateSource;
+  /** Numbers, in the file, of the texture coordinates that it looks its textures up with: `uvs` of a mesh, and `uvs1`. */
+  readonly sets: readonly number[];
 };
+
+/** Sets of texture coordinates that a mesh of ours may have. */
+const MAX_SETS = 2;
 
 /** glTF 2.0, 3.9.6: what has no material is like this. */
 const DEFAULT: GltfMaterial = {};
@@ -54,42 +58,47 @@ export class Materials {
   choose(index: number | undefined, sets: { has(set: number): boolean }): ChosenMaterial {
     const material = this.#json.materials[index ?? -1] ?? DEFAULT;
     const place = index === undefined ? "the default material" : placeOf("materials", index, material.name);
-    const shown: Partial<Record<TextureField, string>> = {};
-    let coordinates: CoordinateSource | undefined;
+    const shown: { field: TextureField; name: string; texture: NonNullable<Slot[1]> }[] = [];
+    const used = new Set<number>();
     for (const [field, texture] of slotsOf(material)) {
       if (texture === undefined) continue;
-      const source = coordinateSource(texture);
-      if (!sets.has(source.set)) {
+      const set = coordinateSet(texture);
+      if (!sets.has(set)) {
         this.#warnings.add("A texture is left out on meshes that lack its texture coordinates", `${place}, ${field}`);
-      } else if (coordinates !== undefined && !isSameSource(coordinates, source)) {
+      } else if (used.size === MAX_SETS && !used.has(set)) {
         this.#warnings.add(
-          "A texture is left out because its texture coordinates or KHR_texture_transform differ from another's of the material",
+          "A texture is left out because others of its material have two sets of texture coordinates already",
           `${place}, ${field}`,
         );
       } else {
         const name = this.#textures.use(texture.index, COLORS.has(field));
         if (name === undefined) continue;
-        shown[field] = name;
-        coordinates = source;
+        shown.push({ field, name, texture });
+        used.add(set);
       }
     }
-    return this.#make(index, material, place, shown, coordinates);
+    const inOrder = [...used].sort((a, b) => a - b);
+    const references = shown.map(({ field, name, texture }) => {
+      const uv = inOrder.indexOf(coordinateSet(texture)) as 0 | 1;
+      return [field, placedTexture(name, uv, texture)] as const;
+    });
+    return this.#make(index, material, place, Object.fromEntries(references), inOrder);
   }
 
   #make(
     index: number | undefined,
     material: GltfMaterial,
     place: string,
-    textures: Partial<Record<TextureField, string>>,
-    coordinates: CoordinateSource | undefined,
+    textures: Partial<Record<TextureField, TextureReference>>,
+    sets: readonly number[],
   ): ChosenMaterial {
-    const key = JSON.stringify([index, textures]);
+    const key = JSON.stringify([index, textures, sets]);
     const known = this.#chosen.get(key);
     if (known !== undefined) return known;
     const wanted = material.name || (index === undefined ? "default" : `material ${index}`);
     const name = this.#freeName(wanted);
     this.#made[name] = { ...this.#factors(material, place), ...textures };
-    const chosen = { name, ...(coordinates !== undefined && { coordinates }) };
+    const chosen = { name, sets };
     this.#chosen.set(key, chosen);
     return chosen;
   }
@@ -142,13 +151,13 @@ export function withoutMissing(
   const shown: Record<string, Material> = Object.create(null);
   for (const [name, material] of Object.entries(materials)) {
     const isMissing = ([field, value]: readonly [string, unknown]) =>
-      /Texture$/.test(field) && !Object.hasOwn(textures, value as string);
+      /Texture$/.test(field) && !Object.hasOwn(textures, wholeReference(value as TextureReference).texture);
     shown[name] = Object.fromEntries(Object.entries(material).filter((entry) => !isMissing(entry))) as Material;
   }
   return shown;
 }
 
-/** In the order in which they decide what the texture coordinates are. */
+/** In the order in which they get texture coordinates, while there are any. */
 function slotsOf(material: GltfMaterial): Slot[] {
   const { baseColorTexture, metallicRoughnessTexture } = material.pbrMetallicRoughness ?? {};
   const { normalTexture, emissiveTexture } = material;

@@ -6,13 +6,13 @@ import { LoadError } from "../../errors";
 import { mesh } from "../../scene/builders";
 import type { SceneObject } from "../../scene/schema";
 import { Bounds } from "../bounds";
+import type { Mesh } from "../firstSight";
 import { MAX_DISTANCE, MAX_OBJECTS, MAX_TRIANGLES, MAX_VERTICES } from "../limits";
 import type { Warnings } from "../warnings";
 import { type Materials, placeOf } from "./materials";
 import { compose, isWithinReach, type PlacedNode } from "./nodes";
 import { hasTriangles, readTriangles, type Triangles, VertexData } from "./primitive";
 import type { GltfJson, GltfPrimitive } from "./schema";
-import { transformUvs } from "./textureCoordinates";
 import {
   flipWinding,
   hasNoArea,
@@ -28,7 +28,7 @@ import {
 type Shape = {
   readonly triangles: Triangles;
   readonly material: string;
-  readonly uvs?: Float32Array;
+  readonly uvs: Pick<Mesh, "uvs" | "uvs1">;
   flipped?: Uint32Array;
 };
 
@@ -87,9 +87,9 @@ export class MeshPlacer {
       const triangles = readTriangles(primitive, this.#data, `meshes[${mesh}].primitives[${i}]`, this.#warnings);
       if (triangles === undefined) return;
       this.#read.add(0, triangles.positions.length / 3);
-      const { name, coordinates } = this.#materials.choose(primitive.material, triangles.uvs);
-      const uvs = coordinates && transformUvs(triangles.uvs.get(coordinates.set)!, coordinates);
-      shapes.push({ triangles, material: name, ...(uvs && { uvs }) });
+      const { name, sets } = this.#materials.choose(primitive.material, triangles.uvs);
+      const [uvs, uvs1] = sets.map((set) => triangles.uvs.get(set)!);
+      shapes.push({ triangles, material: name, uvs: { ...(uvs && { uvs }), ...(uvs1 && { uvs1 }) } });
     });
     this.#shapes.set(mesh, shapes);
     return shapes;
@@ -139,7 +139,7 @@ export class MeshPlacer {
           positions: placed,
           indices: isMirror(world) ? shape.flipped! : indices,
           ...(normals && { normals: isInPlace ? normals : transformNormals(normals, world) }),
-          ...(shape.uvs && { uvs: shape.uvs }),
+          ...shape.uvs,
           ...(colors && { colors }),
           ...(tangents && { tangents: isInPlace ? tangents : transformTangents(tangents, world) }),
           material: shape.material,

@@ -1,50 +1,37 @@
-// Which texture coordinates a texture asks for. A mesh of ours has one set, so the textures of a material have to agree.
+// Where a texture of a file lies: KHR_texture_transform in the scene format's words.
 
-/** The number of a set in the file, and what KHR_texture_transform does to it. */
-export type CoordinateSource = {
-  readonly set: number;
-  readonly offset: readonly [number, number];
-  readonly rotation: number;
-  readonly scale: readonly [number, number];
+import type { TextureReference } from "../../scene/schema";
+import { isPlain } from "../../scene/textureReference";
+
+type Transform = {
+  readonly offset?: readonly [number, number] | undefined;
+  readonly rotation?: number | undefined;
+  readonly scale?: readonly [number, number] | undefined;
+  readonly texCoord?: number | undefined;
 };
-
 type TextureInfo = {
   readonly texCoord?: number | undefined;
-  readonly extensions?:
-    | {
-        readonly KHR_texture_transform?:
-          | (Partial<{ readonly [K in keyof CoordinateSource]: CoordinateSource[K] | undefined }> & {
-              readonly texCoord?: number | undefined;
-            })
-          | undefined;
-      }
-    | undefined;
+  readonly extensions?: { readonly KHR_texture_transform?: Transform | undefined } | undefined;
 };
 
-export function coordinateSource({ texCoord = 0, extensions }: TextureInfo): CoordinateSource {
-  const transform = extensions?.KHR_texture_transform ?? {};
-  const { offset = [0, 0], rotation = 0, scale = [1, 1], texCoord: override = texCoord } = transform;
-  return { set: override, offset, rotation, scale };
-}
-
-export function isSameSource(a: CoordinateSource, b: CoordinateSource): boolean {
-  return JSON.stringify(a) === JSON.stringify(b);
+/** The number, in the file, of the texture coordinates that a texture asks for. */
+export function coordinateSet({ texCoord = 0, extensions }: TextureInfo): number {
+  return extensions?.KHR_texture_transform?.texCoord ?? texCoord;
 }
 
 /**
- * Texture coordinates with the transform applied: scaled, then turned counter-clockwise (v points down), then moved.
+ * A texture in its place; its name alone where that says it all.
  *
- * @returns `uvs` itself where there is no transform.
+ * @param uv - which of the mesh's sets it asks for.
  */
-export function transformUvs(uvs: Float32Array, { offset, rotation, scale }: CoordinateSource): Float32Array {
-  if (rotation === 0 && offset[0] === 0 && offset[1] === 0 && scale[0] === 1 && scale[1] === 1) return uvs;
-  const [cos, sin] = [Math.cos(rotation), Math.sin(rotation)];
-  const out = new Float32Array(uvs.length);
-  for (let i = 0; i < out.length; i += 2) {
-    const u = uvs[i]! * scale[0];
-    const v = uvs[i + 1]! * scale[1];
-    out[i] = cos * u + sin * v + offset[0];
-    out[i + 1] = cos * v - sin * u + offset[1];
-  }
-  return out;
+export function placedTexture(texture: string, uv: 0 | 1, { extensions }: TextureInfo): TextureReference {
+  const { offset, scale, rotation } = extensions?.KHR_texture_transform ?? {};
+  const placed = {
+    texture,
+    ...(uv === 1 && { uv }),
+    ...(offset && { offset }),
+    ...(scale && { scale }),
+    ...(rotation && { rotation: (rotation * 180) / Math.PI }),
+  };
+  return isPlain(placed) ? texture : placed;
 }

@@ -95,6 +95,46 @@ test("a picture whose URI begins with DATA: and BASE64 is shown", async () => {
   expectColor(at(5, 4), [0, 1, 0]);
 });
 
+test("a normal map that repeats ten times lies over a colour that does not", async () => {
+  const byte = (value: number) => Math.round(127.5 * (1 + value));
+  // Leans to the right in its left half, and is flat in its right half.
+  const [lean, flat] = [
+    [byte(0.6), byte(0), byte(0.8)],
+    [byte(0), byte(0), byte(1)],
+  ];
+  const [x, y, z] = lean!.map((value) => (2 * value) / 255 - 1) as [number, number, number];
+  const { at, warnings } = await render(
+    squareFile((json) => {
+      json.images = [
+        [255, 0, 0, 0, 255, 0],
+        [...lean!, ...flat!],
+      ].map((data) => {
+        const picture = encode({ width: 2, height: 1, channels: 3, data: Uint8Array.from(data) });
+        return { uri: `data:image/png;base64,${Buffer.from(picture).toString("base64")}` };
+      });
+      json.samplers = [{ magFilter: 9728 }];
+      json.textures = [0, 1].map((source) => ({ source, sampler: 0 }));
+      json.materials = [diffuse(1, 1, 1)];
+      json.materials[0].pbrMetallicRoughness.baseColorTexture = { index: 0 };
+      const extensions = { KHR_texture_transform: { scale: [10, 10] } };
+      json.materials[0].normalTexture = { index: 1, extensions };
+      // Seen so that the square just fills the picture: 20 columns of 20 pixels.
+      json.cameras[0].perspective.yfov = 2 * Math.atan(1 / 5);
+    }),
+    20,
+    16,
+  );
+  expect(warnings).toEqual([]);
+  for (const column of [4, 5, 8, 9, 10, 11, 14, 15]) {
+    const cosine = column % 2 === 0 ? z / Math.hypot(x, y, z) : 1;
+    const [red, green, blue] = at(column, 10) as [number, number, number];
+    const [shown, other] = column < 10 ? [red, green] : [green, red];
+    // The light is a hundredth off the axis at the square's edge, which a leaning normal makes 0.6 % of; and bytes.
+    expect(Math.abs(shown - cosine), `column ${column}`).toBeLessThan(0.007);
+    expect([other, blue]).toEqual([0, 0]);
+  }
+});
+
 /** A ball on the default table; `change` may alter its normals, and `more` is another mesh. */
 function ballFile(change: (normals: Float32Array) => void = () => {}, more?: [MeshData, object]): Uint8Array {
   const packer = new Packer();

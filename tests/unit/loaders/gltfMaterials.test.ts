@@ -159,28 +159,80 @@ describe("textures", () => {
     expect(warnings).toEqual([]);
   });
 
-  test("KHR_texture_transform is applied to the coordinates: scale, counter-clockwise turn, offset", async () => {
-    // The specification's example: the lower left quadrant, turned clockwise by 90°.
+  test("KHR_texture_transform is the place of its texture alone, in degrees", async () => {
     const transform = { offset: [0, 1], rotation: Math.PI / 2, scale: [0.5, 0.5] };
-    const extensions = { KHR_texture_transform: transform };
-    const { mesh, warnings } = await loadTextured({
-      pbrMetallicRoughness: { baseColorTexture: { index: 0, extensions } },
-      normalTexture: { index: 0, extensions },
+    const { mesh, material, warnings } = await loadTextured({
+      pbrMetallicRoughness: {
+        baseColorTexture: { index: 0 },
+        metallicRoughnessTexture: { index: 1, extensions: { KHR_texture_transform: { scale: [1, 1], rotation: 0 } } },
+      },
+      normalTexture: { index: 0, extensions: { KHR_texture_transform: transform } },
     });
-    expect(roundedNumbers(mesh.uvs)).toEqual([0, 1, 0, 0.5, 0.5, 1]);
+    expect(material).toMatchObject({
+      baseColorTexture: "image 0",
+      metallicRoughnessTexture: "image 0 clamp mirror nearest",
+      normalTexture: { texture: "image 0", offset: [0, 1], rotation: 90, scale: [0.5, 0.5] },
+    });
+    expect(roundedNumbers(mesh.uvs)).toEqual([...UVS]);
+    expect(mesh.uvs1).toBeUndefined();
     expect(warnings).toEqual([]);
   });
 
-  test("a texture with other coordinates than the material's first is left out, and that is said", async () => {
-    const { mesh, material, warnings } = await loadTextured({
+  test("two sets of texture coordinates are the mesh's two; one alone is its first", async () => {
+    const two = await loadTextured({
       pbrMetallicRoughness: { baseColorTexture: { index: 0, texCoord: 1 } },
       normalTexture: { index: 0 },
     });
+    expect(two.material).toMatchObject({
+      baseColorTexture: { texture: "image 0", uv: 1 },
+      normalTexture: "image 0",
+    });
+    expect(roundedNumbers(two.mesh.uvs)).toEqual([...UVS]);
+    expect(roundedNumbers(two.mesh.uvs1)).toEqual([5, 5, 6, 6, 7, 7]);
+    expect(two.warnings).toEqual([]);
+
+    // The extension's texCoord takes precedence.
+    const extensions = { KHR_texture_transform: { texCoord: 1 } };
+    const one = await loadTextured({ normalTexture: { index: 0, texCoord: 0, extensions } });
+    expect(one.material.normalTexture).toBe("image 0");
+    expect(roundedNumbers(one.mesh.uvs)).toEqual([5, 5, 6, 6, 7, 7]);
+    expect(one.mesh.uvs1).toBeUndefined();
+  });
+
+  test("a texture that asks for a third set is left out, and that is said", async () => {
+    const { mesh, material, warnings } = await load((json, packer) => {
+      addTexture(json, packer, {
+        name: "brick",
+        pbrMetallicRoughness: {
+          baseColorTexture: { index: 0, texCoord: 2 },
+          metallicRoughnessTexture: { index: 0 },
+        },
+        normalTexture: { index: 0, texCoord: 1 },
+        emissiveTexture: { index: 0, texCoord: 2 },
+        emissiveFactor: [1, 1, 1],
+      });
+      json.meshes[0].primitives[0].attributes.TEXCOORD_2 = packer.add(Float32Array.of(8, 8, 9, 9, 3, 3), "VEC2");
+    });
+    expect(material).toMatchObject({
+      baseColorTexture: { texture: "image 0", uv: 1 },
+      normalTexture: "image 0",
+      emissionTexture: { texture: "image 0", uv: 1 },
+    });
+    expect(material.metallicRoughnessTexture).toBeUndefined();
     expect(roundedNumbers(mesh.uvs)).toEqual([5, 5, 6, 6, 7, 7]);
-    expect(material.normalTexture).toBeUndefined();
+    expect(roundedNumbers(mesh.uvs1)).toEqual([8, 8, 9, 9, 3, 3]);
     expect(warnings).toEqual([
-      expect.stringMatching(/texture coordinates .* differ .*\(materials\[0\], normalTexture\)/),
+      'A texture is left out because others of its material have two sets of texture coordinates already (materials[0] "brick", metallicRoughnessTexture)',
     ]);
+  });
+
+  test("a texture in a place of its own whose picture is missing is left out like any other", async () => {
+    const extensions = { KHR_texture_transform: { scale: [2, 2] } };
+    const { material, warnings } = await loadTextured({ normalTexture: { index: 0, extensions } }, (json) => {
+      json.images = [{ uri: "data:image/png;base64,AAAA" }];
+    });
+    expect(material.normalTexture).toBeUndefined();
+    expect(warnings).toEqual([expect.stringContaining("A picture is left out")]);
   });
 
   test("a mesh without texture coordinates shows the material without its textures, and that is said", async () => {
