@@ -170,26 +170,44 @@ export function describePrograms(settings: ProgramSettings): void {
   });
 
   test.each(Object.keys(MATERIALS))(
-    "a mesh of %s compiles without a warning, faceted, smooth and textured, with textures in places of their own",
+    "a mesh of %s compiles without a warning, faceted, smooth and textured",
     async (name) => {
       for (const scene of meshScenes(MATERIALS[name]!)) await expectGood(scene, settings);
     },
   );
+
+  test.each(Object.keys(MATERIALS))("a mesh of %s whose textures have places compiles without a warning", (name) =>
+    expectGood(placedScene(MATERIALS[name]!), settings),
+  );
 }
 
-/** Of a mesh of a material, faceted, smooth and textured, with textures in places of their own, and a sphere. */
+/** Of a mesh of a material, faceted, smooth and textured, and a sphere. */
 export function meshScenes(material: Material): Scene[] {
   const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
   const mesh = { type: "mesh", positions, indices: [0, 1, 2], material: "m" } as const;
   const textured = { ...mesh, uvs: [0, 0, 1, 0, 0, 1] };
-  const twice = { ...textured, normals: positions, tangents: [1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1], uvs1: textured.uvs };
-  const placed = Object.fromEntries(Object.keys(TEXTURES).map((field) => [field, PLACED]));
-  const all = [mesh, { ...mesh, normals: positions }, textured, { ...textured, normals: positions }, twice];
-  return all.map((object): Scene => {
-    const m = { ...material, ...("uvs" in object && TEXTURES), ...("uvs1" in object && placed) };
+  return [mesh, { ...mesh, normals: positions }, textured, { ...textured, normals: positions }].map((object): Scene => {
+    const m = { ...material, ...("uvs" in object && TEXTURES) };
     const objects = [object, { ...PRIMITIVES["a sphere"]!, material: "n" }];
     return { ...sceneOf(objects, { m, n: {} }, LIGHTS["lights of both kinds"]!, [1, 1, 1]), textures: { t: TEXTURE } };
   });
+}
+
+/** Of a mesh of a material whose textures have places of their own, and a sphere. */
+export function placedScene(material: Material): Scene {
+  const [positions, uvs] = [
+    [0, 0, 0, 1, 0, 0, 0, 1, 0],
+    [0, 0, 1, 0, 0, 1],
+  ];
+  const tangents = [1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1];
+  const mesh = { type: "mesh", positions, normals: positions, tangents, uvs, uvs1: uvs, indices: [0, 1, 2] } as const;
+  const placed = Object.keys(TEXTURES).map((field) => [field, PLACED]);
+  const objects = [
+    { ...mesh, material: "m" },
+    { ...PRIMITIVES["a sphere"]!, material: "n" },
+  ];
+  const materials = { m: { ...material, ...Object.fromEntries(placed) }, n: {} };
+  return { ...sceneOf(objects, materials, LIGHTS["lights of both kinds"]!, [1, 1, 1]), textures: { t: TEXTURE } };
 }
 
 export function sceneOf(

@@ -152,6 +152,17 @@ test("the example of KHR_texture_transform: the lower left quadrant, turned cloc
   for (const [i, texel] of [12, 8, 13, 9].entries()) expect(shown[i]).toBeCloseTo(linear(texels[texel]!), 5);
 });
 
+test("the second set of a mesh that also has colours, normals and tangents is the same, seed 1", async () => {
+  const plain = square(glowing({ uv: 1, scale: [1, 2] }), { t: grid });
+  const four = (...values: number[]) => Array.from({ length: 4 }, () => values).flat();
+  const more = { colors: four(0.5, 0.25, 1, 1), normals: four(0, 0, 1), tangents: four(1, 0, 0, 1) };
+  const full = { ...plain, objects: plain.objects.map((object) => ({ ...object, ...more })) } as Scene;
+  const [[expected], [shown]] = [await picturesOf([plain], 4), await picturesOf([full], 4)];
+  const difference = shown!.map((value, i) => Math.abs(value - expected![i]!));
+  expect(Math.max(...difference)).toBeLessThan(1e-6);
+  expect(new Set(expected!.filter((_, i) => i % 4 === 0)).size).toBeGreaterThan(4);
+});
+
 test("textures of one material lie in different places and have different texels, seed 1", async () => {
   const color = (...rgb: number[]) => [...rgb, 255];
   const halves: Texture = {

@@ -7,7 +7,7 @@ import { linkModule, linkProgram } from "../../../src/compile/linkProgram";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Scene } from "../../../src/scene/schema";
 import { prepareGeometry } from "../../../src/tree/geometry";
-import { CROWDS, LIGHTS, MATERIALS, meshScenes, PRIMITIVES, sceneOf } from "../../shaders/programs";
+import { CROWDS, LIGHTS, MATERIALS, meshScenes, PRIMITIVES, placedScene, sceneOf } from "../../shaders/programs";
 import { loadReference, REFERENCE_NAMES } from "../../support/reference";
 import { SHADER_MODULES } from "../../support/shaderModules";
 
@@ -80,7 +80,7 @@ describe("a program is the one that wesl-js links", () => {
   });
 
   test.each(Object.entries(MATERIALS))("for shapes and meshes of %s", async (_name, material) => {
-    for (const scene of meshScenes(material)) await expectSamePrograms(scene);
+    for (const scene of [...meshScenes(material), placedScene(material)]) await expectSamePrograms(scene);
     const lights = LIGHTS["lights of both kinds"]!;
     await expectSamePrograms(sceneOf(Object.values(PRIMITIVES), { m: material }, lights, [0, 0, 0]));
   });

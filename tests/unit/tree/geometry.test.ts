@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { parseScene } from "../../../src/scene/parseScene";
-import type { Scene } from "../../../src/scene/schema";
+import type { Scene, SceneObject } from "../../../src/scene/schema";
 import { prepareGeometry } from "../../../src/tree/geometry";
 import { cube, meshObject, placed, smoothSphere } from "../../support/meshes";
 
@@ -28,6 +28,18 @@ test("another material or camera position needs no other geometry, another targe
   expect(await prepare(scene({ camera: { position: [0, 0, 5], target: [2, 0, 0] } }), before)).not.toBe(before);
   const moved = [meshObject(placed(cube(), 1, [0, 0.5, 0]), "m"), scene().objects[1]!];
   expect(await prepare(scene({ objects: moved }), before)).not.toBe(before);
+});
+
+test("another second set of texture coordinates is another geometry", async () => {
+  const withSet = (u: number) => {
+    const [first, second] = scene().objects;
+    const uvs1 = new Float32Array((2 * cube().positions.length) / 3).fill(u);
+    return scene({ objects: [{ ...first!, uvs1 } as SceneObject, second!] });
+  };
+  const before = await prepare(withSet(0.5));
+  expect(await prepare(withSet(0.5), before)).toBe(before);
+  expect(await prepare(withSet(0.25), before)).not.toBe(before);
+  expect(await prepare(scene(), before)).not.toBe(before);
 });
 
 test("the same texels in another array need no other geometry, a changed texel does", async () => {
