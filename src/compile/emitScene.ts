@@ -94,6 +94,11 @@ fn factorsOf(i: u32) -> Factors {
   return scene.factors[i];
 }
 
+// The texture whose alpha says where a primitive is.
+fn coverTextureOf(i: u32) -> u32 {
+  return scene.factors[i].baseColorTexture;
+}
+
 fn textureOf(i: u32) -> Texture {
   return scene.textures[i];
 }

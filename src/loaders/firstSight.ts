@@ -1,22 +1,22 @@
 // What a camera sees of meshes, in a picture of a few pixels that takes milliseconds.
 
 import { add, cross, dot, normalize, scale, subtract } from "../math/vec3";
-import type { Camera, SceneObject, Vec3 } from "../scene/schema";
-
-export type Mesh = Extract<SceneObject, { type: "mesh" }>;
+import type { Mesh } from "../scene/meshes";
+import type { Camera, Vec3 } from "../scene/schema";
 
 export type Uv = readonly [u: number, v: number];
 
-/** A point of a mesh, on the side from which the camera sees it. */
-export type SeenPoint = {
-  readonly mesh: Mesh;
+/** A point of a mesh. */
+type MeshPoint = {
   readonly point: Vec3;
-  /** Of the triangle; unit, on the camera's side. */
+  /** Of the triangle, unit. */
   readonly normal: Vec3;
-  readonly isFront: boolean;
   /** Texture coordinates of each of the two sets, if the mesh has it. */
   readonly uvs: readonly [Uv | undefined, Uv | undefined];
 };
+
+/** One on the side from which the camera sees it, which is that of its normal. */
+export type SeenPoint = MeshPoint & { readonly mesh: Mesh; readonly isFront: boolean };
 
 /** Pixels in a row and in a column. A part that covers a tenth of the picture is in 25 of them. */
 const SIZE = 16;
@@ -123,7 +123,7 @@ function toPixel(place: number): number {
   return ((place + 1) * SIZE - 1) / 2;
 }
 
-function toPoint({ point, normal, uvs }: ReturnType<typeof pointOf>, mesh: Mesh, eye: Vec3): SeenPoint {
+function toPoint({ point, normal, uvs }: MeshPoint, mesh: Mesh, eye: Vec3): SeenPoint {
   const isFront = dot(normal, subtract(eye, point)) >= 0;
   return { mesh, point, normal: isFront ? normal : scale(normal, -1), isFront, uvs };
 }
@@ -134,7 +134,7 @@ function toPoint({ point, normal, uvs }: ReturnType<typeof pointOf>, mesh: Mesh,
  * @param triangle - where its first index is.
  * @param weights - of its corners; their sum is 1.
  */
-export function pointOf(mesh: Mesh, triangle: number, weights: Vec3): Pick<SeenPoint, "point" | "normal" | "uvs"> {
+export function pointOf(mesh: Mesh, triangle: number, weights: Vec3): MeshPoint {
   const { positions, indices, uvs, uvs1 } = mesh;
   const corners = [0, 1, 2].map((corner) => indices[triangle + corner]!);
   const [a, b, c] = corners.map((corner) => vectorAt(positions as ArrayLike<number>, 3 * corner)) as [Vec3, Vec3, Vec3];

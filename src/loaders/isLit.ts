@@ -1,10 +1,11 @@
 // Whether a file brings enough light of its own.
 
 import { dot, length, subtract } from "../math/vec3";
+import { type Mesh, meshesAmong } from "../scene/meshes";
 import type { Light, Material, Rgb, Scene, Texture, Vec3 } from "../scene/schema";
 import { uvRows, wholeReference } from "../scene/textureReference";
 import { extentOf, twiceAreaAt } from "./bounds";
-import { firstSight, type Mesh, pointOf, type SeenPoint, type Uv } from "./firstSight";
+import { firstSight, pointOf, type SeenPoint, type Uv } from "./firstSight";
 import { IRRADIANCE } from "./frameModel";
 
 /** W·m⁻²: five stops less than the table gives. A white surface shows as 36 of 255 with it. */
@@ -32,7 +33,7 @@ type Emitter = {
  */
 export function isLit(scene: Scene): boolean {
   const { objects, materials = {}, lights = [], camera } = scene;
-  const meshes = objects.filter((object) => object.type === "mesh");
+  const meshes = meshesAmong(objects);
   const emitters = emittersOf(meshes, scene);
   if (lights.length === 0 && emitters.length === 0) return false;
   const seen = firstSight(camera, meshes);

@@ -2,11 +2,10 @@
 // that leaves cast the shadows of leaves.
 import package::ray::{Hit, Ray, between};
 import package::sampler::{Sampler, pcg3d, unitInterval};
-import package::scene::{PRIMITIVES, coverageOf, cutoffOf, factorsOf};
+import package::scene::{PRIMITIVES, coverageOf, coverTextureOf, cutoffOf};
 import package::shapes::mesh::{colorOn, uvAt};
-import package::surfacePoint::primitiveOf;
 import package::textures::alphaAt;
-import package::tree::{TURNED_TRIANGLE, itemAt};
+import package::tree::{Item, TURNED_TRIANGLE, itemAt};
 
 // What the next ray's chances come from. Each surface on its way has its own, by its number and distance.
 var<private> chances: vec2u;
@@ -28,19 +27,28 @@ fn betweenPart(t: f32, distance: f32, id: u32, ray: Ray) -> bool {
 
 // Whether the ray meets surface `id` at t.
 fn isCovered(ray: Ray, t: f32, id: u32) -> bool {
-  let primitive = primitiveOf(id);
-  let cutoff = cutoffOf(primitive);
-  if (cutoff == 0.0) { return true; }
-  var alpha = coverageOf(primitive);
-  @if(ALPHA_TEXTURES || COLORS) {
-    // Of shapes only meshes have vertices.
-    if (id >= PRIMITIVES && itemAt(id - PRIMITIVES).kind <= TURNED_TRIANGLE) {
-      let slot = id - PRIMITIVES;
-      let weights = weightsAt(ray, t, slot);
-      @if(ALPHA_TEXTURES) alpha *= alphaAt(factorsOf(primitive).baseColorTexture, uvAt(slot, weights));
-      @if(COLORS) alpha *= colorOn(slot, weights).a;
+  @if(!TREE) return decides(coverageOf(id), cutoffOf(id), t, id);
+  @if(TREE) {
+    if (id < PRIMITIVES) { return decides(coverageOf(id), cutoffOf(id), t, id); }
+    let slot = id - PRIMITIVES;
+    let item = itemAt(slot);
+    let cutoff = cutoffOf(item.id);
+    if (cutoff == 0.0) { return true; }
+    var alpha = coverageOf(item.id);
+    @if(ALPHA_TEXTURES || COLORS) {
+      // Of shapes only meshes have vertices.
+      if (item.kind <= TURNED_TRIANGLE) {
+        let weights = weightsAt(ray, t, item);
+        @if(ALPHA_TEXTURES) alpha *= alphaAt(coverTextureOf(item.id), uvAt(slot, weights));
+        @if(COLORS) alpha *= colorOn(slot, weights).a;
+      }
     }
+    return decides(alpha, cutoff, t, id);
   }
+}
+
+// Whether a surface of this alpha is there.
+fn decides(alpha: f32, cutoff: f32, t: f32, id: u32) -> bool {
   if (cutoff > 0.0) { return alpha >= cutoff; }
   @if(PICK) return alpha >= 0.5;
   @if(!PICK) return unitInterval(pcg3d(vec3u(chances.x ^ (id * 0x85ebca6bu), chances.y, bitcast<u32>(t))).x) < alpha;
@@ -48,8 +56,7 @@ fn isCovered(ray: Ray, t: f32, id: u32) -> bool {
 
 // Barycentric coordinates of where the ray meets a triangle of a mesh.
 @if(ALPHA_TEXTURES || COLORS)
-fn weightsAt(ray: Ray, t: f32, slot: u32) -> vec3f {
-  let item = itemAt(slot);
+fn weightsAt(ray: Ray, t: f32, item: Item) -> vec3f {
   let e1 = item.b - item.a;
   let e2 = item.c - item.a;
   let q = ray.o + t * ray.d - item.a;
