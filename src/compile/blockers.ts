@@ -40,8 +40,9 @@ export class Blockers {
    *
    * @param camera - relative to the compiled scene's origin. Nothing crosses an infinite plane, so behind one that has the
    * camera and all lights in front, nothing is ever shaded.
+   * @param reach - how far from there camera rays may start.
    */
-  canBlock(id: number, camera: Vec3): boolean {
+  canBlock(id: number, camera: Vec3, reach = 0): boolean {
     const { shape } = this.#primitives[id]!;
     const flat = kindOf(shape).plane(shape);
     if (!flat) return true;
@@ -49,7 +50,7 @@ export class Blockers {
     if (hullOf(shape) === undefined) {
       const range = remembered(this.#ranges, id, () => rangeOf(this.#lights, point, normal));
       const side = dot(subtract(camera, point), normal);
-      return !isOnOneSide({ least: Math.min(range.least, side), most: Math.max(range.most, side) });
+      return !isOnOneSide({ least: Math.min(range.least, side - reach), most: Math.max(range.most, side + reach) });
     }
     return remembered(this.#bounded, id, () => {
       return !this.#isBounded || !isOnOneSide(rangeOf(this.#others(id), point, normal));

@@ -1,9 +1,9 @@
 import type { Ball } from "../lights/light";
-import { add, cross, dot, length, scale, subtract } from "../math/vec3";
+import { cross, dot, length, scale, subtract } from "../math/vec3";
 import type { Flat } from "../shapes/shape";
 import { hullOf, kindOf, reachAlong, type Shape } from "../shapes/shapes";
 import { isInView } from "./emitterWindow";
-import type { Frustum } from "./frustum";
+import { edgeRays, type Frustum } from "./frustum";
 
 // A little less than what is clear, for f32 may round up.
 const MARGIN = 1 - 2 ** -10;
@@ -27,15 +27,15 @@ export function clearDepth(shapes: readonly Shape[], view: Frustum): number {
   return Number.isFinite(depth) ? Math.max(depth, 0) * MARGIN : 0;
 }
 
-function depthOfPlane(plane: Flat, { origin, forward, right, up }: Frustum): number {
-  // Along the ray through (x, y) the plane lies at depth height / slope, and the slope is linear in x and y: the nearest
-  // point in view is in a corner of the image.
-  const height = dot(subtract(plane.point, origin), plane.normal);
-  const slopes = [-1, 1].flatMap((x) =>
-    [-1, 1].map((y) => dot(add(forward, add(scale(right, x), scale(up, y))), plane.normal)),
-  );
-  const inverseDepth = Math.max(...slopes.map((slope) => slope / height));
-  if (height === 0) return 0;
+function depthOfPlane(plane: Flat, view: Frustum): number {
+  // Along each ray the plane lies at depth height / slope, and both are linear in x and y: what is nearest in view is in a
+  // corner of the image, unless rays start on both sides.
+  const rays = edgeRays(view).map(({ from, along }) => {
+    return { height: dot(subtract(plane.point, from), plane.normal), slope: dot(along, plane.normal) };
+  });
+  const heights = rays.map(({ height }) => height);
+  if (Math.min(...heights) <= 0 && Math.max(...heights) >= 0) return 0;
+  const inverseDepth = Math.max(...rays.map(({ height, slope }) => slope / height));
   return inverseDepth > 0 ? 1 / inverseDepth : Number.POSITIVE_INFINITY;
 }
 
@@ -43,11 +43,17 @@ function depthOfPlane(plane: Flat, { origin, forward, right, up }: Frustum): num
  * No ray of a view meets a ball at less depth. Of a planet whose horizon is far away the nearest point is not in view: what
  * comes nearest to its centre decides.
  */
-function ballDepth({ center, radius }: Ball, { origin, forward, right, up }: Frustum): number {
+function ballDepth({ center, radius }: Ball, { origin, forward, right, up, isOrthographic }: Frustum): number {
   const toCenter = subtract(center, origin);
   const distance = length(toCenter);
+  const corner = Math.hypot(length(right), length(up));
+  if (isOrthographic) {
+    const passes = Math.max(length(cross(toCenter, forward)) - corner, 0);
+    if (passes >= radius) return Number.POSITIVE_INFINITY;
+    return dot(toCenter, forward) - Math.sqrt((radius - passes) * (radius + passes));
+  }
   if (distance <= radius) return 0;
-  const toCorner = Math.atan(Math.hypot(length(right), length(up)));
+  const toCorner = Math.atan(corner);
   const angle = Math.max(Math.atan2(length(cross(toCenter, forward)), dot(toCenter, forward)) - toCorner, 0);
   const passes = distance * Math.sin(angle);
   if (passes >= radius) return Number.POSITIVE_INFINITY;

@@ -120,7 +120,9 @@ export class CompiledScene {
   atRest(camera: ResolvedCamera): CompiledScene {
     const { blockers, unrolling, origin, unit } = this.#shared;
     const position = scale(subtract(camera.position, origin), 1 / unit);
-    const ids = unrolling.unrolled.filter((id) => blockers.canBlock(id, position));
+    // How wide the picture is, and so where the parallel rays of an orthographic one start, is not known here.
+    const reach = camera.orthographicHeight === undefined ? 0 : Number.POSITIVE_INFINITY;
+    const ids = unrolling.unrolled.filter((id) => blockers.canBlock(id, position, reach));
     const blocking = ids.join(" ");
     if (this.#atRest?.blocking !== blocking) {
       this.#atRest = { blocking, compiled: new CompiledScene(this.#shared, new Set(ids)) };

@@ -49,6 +49,7 @@ export function shareOf([left, bottom, right, top]: Window): number {
 
 function windowOf(emitter: Emitter, view: Frustum): Window {
   if (emitter === undefined) return EVERYTHING;
+  if (view.isOrthographic) return parallelWindow(emitter, view);
   if ("ball" in emitter) {
     const { center, radius } = emitter.ball;
     const [left, right] = ballRange(center, radius, view, view.right);
@@ -60,6 +61,23 @@ function windowOf(emitter: Emitter, view: Frustum): Window {
   if (points.some((point) => dot(point, view.forward) <= 0)) return EVERYTHING;
   const [xs, ys] = [view.right, view.up].map((axis) => points.map((point) => tangent(point, view, axis)));
   return clip([Math.min(...xs!), Math.min(...ys!), Math.max(...xs!), Math.max(...ys!)]);
+}
+
+function parallelWindow(hull: Hull, { origin, forward, right, up }: Frustum): Window {
+  const [, farthest] = rangeAlong(hull, origin, forward);
+  if (farthest < 0) return NOTHING;
+  const [x, y] = [right, up].map((axis) => rangeAlong(hull, origin, scale(axis, 1 / dot(axis, axis))));
+  return clip([x![0], y![0], x![1], y![1]]);
+}
+
+/** Least and most of what points of a hull have along an axis. */
+function rangeAlong(hull: Hull, origin: Vec3, axis: Vec3): [number, number] {
+  if ("ball" in hull) {
+    const [middle, reach] = [dot(subtract(hull.ball.center, origin), axis), hull.ball.radius * length(axis)];
+    return [middle - reach, middle + reach];
+  }
+  const places = hull.points.map((point) => dot(subtract(point, origin), axis));
+  return [Math.min(...places), Math.max(...places)];
 }
 
 /** Where a ball lies along an axis of the image plane, by the two tangents from the camera. */

@@ -7,18 +7,24 @@ import type { ResolvedCamera } from "../scene/schema";
 /** How near to straight up or down a view may tilt: there the horizon flips. */
 const POLE_MARGIN_RADIANS = 0.01;
 
-/** Distances between camera and target, in metres. */
-export type DistanceLimits = { readonly min: number; readonly max: number };
+/** What zooming changes, in metres: the distance between camera and target or, of an orthographic camera, its height. */
+export type ZoomLimits = { readonly min: number; readonly max: number };
 
-/** Keeps the distance positive and far from where f32 ends. */
-export const DEFAULT_DISTANCE_LIMITS: DistanceLimits = { min: 1e-4, max: 1e6 };
+/** Keeps it positive and far from where f32 ends. */
+export const DEFAULT_ZOOM_LIMITS: ZoomLimits = { min: 1e-4, max: 1e6 };
 
-/** Distances that make sense for a scene seen from where its author put the camera. */
-export function distanceLimitsFor(camera: ResolvedCamera): DistanceLimits {
-  const distance = vec3n.distance(camera.position, camera.target);
+/**
+ * Limits that make sense for a scene seen from where its author put the camera.
+ *
+ * @param camera - the one that zooms: of another kind than `home`, it has no limits but those of numbers.
+ */
+export function zoomLimitsFor(home: ResolvedCamera, camera = home): ZoomLimits {
+  const isOrthographic = home.orthographicHeight !== undefined;
+  if (isOrthographic !== (camera.orthographicHeight !== undefined)) return DEFAULT_ZOOM_LIMITS;
+  const size = home.orthographicHeight ?? vec3n.distance(home.position, home.target);
   return {
-    min: Math.max(DEFAULT_DISTANCE_LIMITS.min, distance / 100),
-    max: Math.min(DEFAULT_DISTANCE_LIMITS.max, distance * 100),
+    min: Math.max(DEFAULT_ZOOM_LIMITS.min, size / 100),
+    max: Math.min(DEFAULT_ZOOM_LIMITS.max, size * 100),
   };
 }
 
@@ -45,14 +51,19 @@ export function orbitBy(camera: ResolvedCamera, azimuthRadians: number, elevatio
   return { ...camera, position: toTuple(vec3n.add(camera.target, offset)) };
 }
 
-/** Moves the camera to `factor` times its distance from the target: below 1 is nearer. */
+/**
+ * Moves the camera to `factor` times its distance from the target: below 1 is nearer. An orthographic one stays, and shows `factor`
+ * times the height.
+ */
 export function zoomBy(
   camera: ResolvedCamera,
   factor: number,
-  limits: DistanceLimits = DEFAULT_DISTANCE_LIMITS,
+  limits: ZoomLimits = DEFAULT_ZOOM_LIMITS,
 ): ResolvedCamera {
   const frame = frameOf(camera);
   if (frame === undefined || !Number.isFinite(factor) || factor <= 0) return camera;
+  const { orthographicHeight: height } = camera;
+  if (height !== undefined) return { ...camera, orthographicHeight: clamp(height * factor, limits.min, limits.max) };
   const distance = clamp(frame.distance * factor, limits.min, limits.max);
   return { ...camera, position: toTuple(vec3n.addScaled(camera.target, frame.back, distance)) };
 }
@@ -67,7 +78,7 @@ export function panBy(camera: ResolvedCamera, rightShare: number, upShare: numbe
   const frame = frameOf(camera);
   if (frame === undefined || !Number.isFinite(rightShare) || !Number.isFinite(upShare)) return camera;
   const { back, right, distance } = frame;
-  const metresPerHeight = 2 * distance * Math.tan((camera.verticalFov * Math.PI) / 360);
+  const metresPerHeight = camera.orthographicHeight ?? 2 * distance * Math.tan((camera.verticalFov * Math.PI) / 360);
   const pictureUp = vec3n.cross(back, right);
   const step = vec3n.addScaled(
     vec3n.scale(right, -rightShare * metresPerHeight),

@@ -1,5 +1,5 @@
 import type { ResolvedCamera } from "../scene/schema";
-import { type DistanceLimits, distanceLimitsFor, orbitBy, panBy, zoomBy } from "./orbit";
+import { orbitBy, panBy, type ZoomLimits, zoomBy, zoomLimitsFor } from "./orbit";
 
 /** What the controls move. */
 export type OrbitTarget = {
@@ -39,9 +39,9 @@ export function bindOrbitControls(surface: HTMLElement, target: OrbitTarget, sig
   surface.addEventListener("keydown", (event) => onKey(event, target, move), { signal });
 }
 
-function limitsOf({ home }: OrbitTarget): DistanceLimits | undefined {
-  const camera = home();
-  return camera && distanceLimitsFor(camera);
+function limitsOf({ home, camera }: OrbitTarget): ZoomLimits | undefined {
+  const from = home();
+  return from && zoomLimitsFor(from, camera());
 }
 
 type Move = (step: (camera: ResolvedCamera) => ResolvedCamera) => void;
@@ -143,7 +143,7 @@ function bindWheel(surface: HTMLElement, target: OrbitTarget, move: Move, signal
 }
 
 /**
- * How far one wheel event zooms, as a factor on the distance.
+ * How far one wheel event zooms, as a factor on the distance or the height.
  *
  * @param isPinch - browsers report a pinch on a trackpad as a wheel with `ctrlKey`, in much smaller steps.
  */

@@ -1,48 +1,54 @@
 import { clearDepth } from "../compile/clearDepth";
 import type { Emitter } from "../compile/emitterWindow";
 import { emitterWindow, shareOf } from "../compile/emitterWindow";
+import type { Frustum } from "../compile/frustum";
 import { add, cross, normalize, scale, subtract } from "../math/vec3";
 import type { ResolvedCamera, Vec3 } from "../scene/schema";
 import type { Shape } from "../shapes/shapes";
 
-/** A pinhole camera as the shader wants it: the ray through image plane coordinates (x, y) runs along forward + x·right + y·up. */
-export type CameraBasis = {
-  /** Position relative to the compiled scene's origin, in its units. */
-  readonly origin: Vec3;
-  /** Unit. */
-  readonly forward: Vec3;
-  /** From the centre of the image plane, at distance 1, to its right edge. */
-  readonly right: Vec3;
-  /** To its upper edge. */
-  readonly up: Vec3;
-};
-
-/** Computed in doubles; `origin` and `unit` are the compiled scene's, `aspect` width over height. */
-export function cameraBasis(camera: ResolvedCamera, origin: Vec3, aspect: number, unit = 1): CameraBasis {
-  const { position, target, up, verticalFov } = camera;
+/**
+ * Computed in doubles; `origin` and `unit` are the compiled scene's, `aspect` width over height.
+ *
+ * @returns the view relative to that origin, in units. `right` and `up` end at the edges of the picture: where it is 1 away, or
+ * of an orthographic one, wherever it is.
+ */
+export function cameraBasis(camera: ResolvedCamera, origin: Vec3, aspect: number, unit = 1): Frustum {
+  const { position, target, up, verticalFov, orthographicHeight } = camera;
   const forward = normalize(subtract(target, position));
   const right = normalize(cross(forward, up));
-  const halfHeight = Math.tan((verticalFov * Math.PI) / 360);
+  const isOrthographic = orthographicHeight !== undefined;
+  const halfHeight = isOrthographic ? orthographicHeight / 2 / unit : Math.tan((verticalFov * Math.PI) / 360);
   return {
     origin: scale(subtract(position, origin), 1 / unit),
     forward,
     right: scale(right, halfHeight * aspect),
     up: scale(cross(right, forward), halfHeight),
+    isOrthographic,
   };
 }
 
-/** Where camera rays start: on the plane at distance `near`, whose centre is `origin`, clear of all shapes. */
-export function rayStart(basis: CameraBasis, shapes: readonly Shape[]): CameraBasis & { readonly near: number } {
-  const near = clearDepth(shapes, basis);
-  return { ...basis, origin: add(basis.origin, scale(basis.forward, near)), near };
+// To the shader an orthographic camera is a pinhole camera that is this far away. A power of two, so that no digit of where its rays
+// start changes, and so large that f32 rounds away by how much they are not parallel.
+const FAR_AWAY = 2 ** 64;
+
+/**
+ * Camera rays as the shader wants them: through image plane coordinates (x, y) from origin + near·offset along forward + offset,
+ * with offset = x·right + y·up. They start on a plane clear of all shapes.
+ */
+export function rayStart(view: Frustum, shapes: readonly Shape[]) {
+  const { forward, right, up, isOrthographic } = view;
+  const depth = clearDepth(shapes, view);
+  const origin = add(view.origin, scale(forward, depth));
+  if (!isOrthographic) return { origin, forward, right, up, near: depth };
+  return { origin, forward, right: scale(right, 1 / FAR_AWAY), up: scale(up, 1 / FAR_AWAY), near: FAR_AWAY };
 }
 
 // An emitter that fills more of the picture than this has too few edges in it to pay for looking at all of it more often.
 const MAX_EMITTER_SHARE = 0.25;
 
 /** The pixels, from the first to before the second, in which emitters are looked for by rays of their own. */
-export function emitterPixels(emitters: readonly Emitter[], basis: CameraBasis, width: number, height: number) {
-  const window = emitterWindow(emitters, basis);
+export function emitterPixels(emitters: readonly Emitter[], view: Frustum, width: number, height: number) {
+  const window = emitterWindow(emitters, view);
   const share = shareOf(window);
   if (share === 0 || share > MAX_EMITTER_SHARE) return { emittersFrom: [0, 0], emittersTo: [0, 0] };
   const [left, bottom, right, top] = window;

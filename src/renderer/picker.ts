@@ -11,7 +11,7 @@ import { programKey } from "./program";
 
 /** What is seen at a point of the picture. */
 export type Picked = ScenePart & {
-  /** From the camera, in metres. */
+  /** From where the ray starts, in metres: the camera's position or, of an orthographic one, a point beside it. */
   readonly distance: number;
   /** The point itself, in the scene's coordinates. */
   readonly position: Vec3;
@@ -73,15 +73,26 @@ export class Picker {
     if (this.#isDisposed) return undefined;
     const { scene, compiled, geometry, camera, width, height } = sight();
     if (programKey(compiled) !== key || geometry?.filling) return this.#trace(sight, x, y);
-    const { forward, right, up, ...basis } = cameraBasis(camera, compiled.origin, width / height, compiled.unit);
-    const direction = normalize(add(forward, add(scale(right, x), scale(up, y))));
+    const { origin, forward, right, up, isOrthographic } = cameraBasis(
+      camera,
+      compiled.origin,
+      width / height,
+      compiled.unit,
+    );
+    const offset = add(scale(right, x), scale(up, y));
+    const direction = isOrthographic ? forward : normalize(add(forward, offset));
+    const from: Vec3 = isOrthographic ? offset : [0, 0, 0];
     // A picture of one pixel, with the point in its middle.
-    const narrow = { ...basis, forward: direction, right: [0, 0, 0], up: [0, 0, 0] } as const;
+    const narrow = { origin: add(origin, from), forward: direction, right: [0, 0, 0], up: [0, 0, 0] } as const;
     const start = rayStart(narrow, compiled.shapes);
     const found = await runPick(this.#device, pipeline, compiled.uniform, geometry, { ...ONE_PIXEL, ...start });
     if (found === undefined) return undefined;
-    const distance = (start.near + found.t) * compiled.unit;
-    return { ...partOf(scene, found.id), distance, position: add(camera.position, scale(direction, distance)) };
+    const way = add(from, scale(direction, start.near + found.t));
+    return {
+      ...partOf(scene, found.id),
+      distance: (start.near + found.t) * compiled.unit,
+      position: add(camera.position, scale(way, compiled.unit)),
+    };
   }
 
   #pipelineFor(compiled: CompiledScene): Promise<PickPipeline> {

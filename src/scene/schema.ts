@@ -39,7 +39,7 @@ const MAX_BOUNCES = 1024;
 /** Where the scene is seen from, and how. */
 export const CameraSchema = strictObject(
   {
-    /** Where the rays start; there is no lens. */
+    /** Where the rays start; of an orthographic camera, the middle of the plane where they start. */
     position: vec3,
     /** The point in the middle of the picture. */
     target: v.optional(vec3, [0, 0, 0]),
@@ -47,6 +47,11 @@ export const CameraSchema = strictObject(
     up: v.optional(direction, [0, 1, 0]),
     /** The angle between the lower and the upper edge of the picture, in degrees. */
     verticalFov: v.optional(numberThat("an angle between 0 and 180 degrees", { above: 0, below: 180 }), 45),
+    /**
+     * From the lower to the upper edge of the picture, in metres. With it the camera is orthographic: its rays are parallel, and
+     * `verticalFov` has no meaning.
+     */
+    orthographicHeight: v.optional(positive),
   },
   ({ position, target, up }, addIssue) => {
     if (!position || !target) return;

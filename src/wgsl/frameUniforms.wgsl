@@ -23,7 +23,7 @@ struct FrameUniforms {
   unitStride: u32,
   maxBounces: u32,
   lightSamples: u32,
-  // Distance of `origin` from the camera in image planes. Nothing in view lies closer: see compile/clearDepth.ts.
+  // Distance of `origin` from the camera in image planes. Nothing in view lies closer: see rayStart in renderer/cameraBasis.ts.
   near: f32,
   // Outside of these pixels, from the first to before the second, the camera sees no emitter.
   emittersFrom: vec2u,

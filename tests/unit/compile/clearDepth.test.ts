@@ -62,6 +62,38 @@ describe("the depth in front of which a view is clear", () => {
     expect(depth).toBeGreaterThan(199.7);
   });
 
+  describe("of an orthographic view", () => {
+    const parallel: Frustum = { ...VIEW, right: [3, 0, 0], up: [0, 4, 0], isOrthographic: true };
+
+    test("is that of the nearest shape in view, however far beside the camera it is", () => {
+      const beside: Shape = { ...BALL, center: [3.5, 0, 500] };
+      const depth = clearDepth([BALL, beside, { ...BALL, center: [4.5, 0, 900] }], parallel);
+      expect(depth).toBeLessThan(499);
+      expect(depth).toBeGreaterThan(498.5);
+      expect(clearDepth([{ ...BALL, center: [2, 3, 1001.5] }, BALL], parallel)).toBeGreaterThan(998);
+    });
+
+    test("ends where a planet comes into view, not where it comes closest to the camera", () => {
+      // The planet's middle is 10⁴ + 2 below; the picture's corners reach 5 from its middle.
+      const depth = clearDepth([{ kind: "sphere", center: [0, -10002, 0], radius: 1e4 }], parallel);
+      const first = 1000 - Math.sqrt(1e8 - 9998 ** 2); // along the picture's lower edge
+      expect(depth).toBeLessThan(first);
+      expect(depth).toBeGreaterThan(0.85 * first);
+    });
+
+    test("ends where a plane enters the image, is 0 where rays start on both sides, and passes one behind all", () => {
+      // Going down by 1 in 10, and 5 to 13 above the plane.
+      const steep = Math.hypot(1, 0.1);
+      const view: Frustum = { ...parallel, forward: [0, -0.1 / steep, -1 / steep], up: [0, 4 / steep, -0.4 / steep] };
+      const depth = clearDepth([plane([0, -9, 1000], [0, 1, 0])], view);
+      const first = (9 - 4 / steep) / (0.1 / steep);
+      expect(depth).toBeLessThan(first);
+      expect(depth).toBeGreaterThan(0.998 * first);
+      expect(clearDepth([plane([0, -3, 1000], [0, 1, 0])], view)).toBe(0);
+      expect(clearDepth([BALL, plane([0, 0, 1001], [0, 0.1, 1])], parallel)).toBeGreaterThan(997);
+    });
+  });
+
   test("does not end at a plane behind the camera, and is 0 on one", () => {
     expect(clearDepth([BALL, plane([0, 0, 1001], [0, 0, 1])], VIEW)).toBeGreaterThan(997);
     expect(clearDepth([BALL, plane([0, 0, 1000], [0, 0, 1])], VIEW)).toBe(0);

@@ -12,11 +12,12 @@ const POINTS = 400;
 
 const triple = (size: number): Vec3 => scale(randomDirection(random), size * random());
 
-function randomView(): Frustum {
+function randomView(isOrthographic: boolean): Frustum {
   const forward = randomDirection(random);
   const side = normalize(cross(forward, randomDirection(random)));
-  const [halfWidth, halfHeight] = [0.1 + random(), 0.1 + random()];
-  return { origin: triple(8), forward, right: scale(side, halfWidth), up: scale(cross(side, forward), halfHeight) };
+  const [halfWidth, halfHeight] = [0.1 + random(), 0.1 + random()].map((half) => (isOrthographic ? 4 * half : half));
+  const [right, up] = [scale(side, halfWidth!), scale(cross(side, forward), halfHeight!)];
+  return { origin: triple(8), forward, right, up, isOrthographic };
 }
 
 const VISIBLE_EMITTERS: Readonly<Record<string, () => { shape: Shape; point: () => Vec3 }>> = {
@@ -46,11 +47,13 @@ const VISIBLE_EMITTERS: Readonly<Record<string, () => { shape: Shape; point: () 
 };
 
 /** Image plane coordinates of a point in view, else undefined. */
-function project(point: Vec3, { origin, forward, right, up }: Frustum): [number, number] | undefined {
+function project(point: Vec3, view: Frustum): [number, number] | undefined {
+  const { origin, forward, right, up, isOrthographic } = view;
   const offset = subtract(point, origin);
   const depth = dot(offset, forward);
   if (depth <= 0) return undefined;
-  const [x, y] = [right, up].map((axis) => dot(offset, axis) / (depth * dot(axis, axis))) as [number, number];
+  const size = isOrthographic ? 1 : depth;
+  const [x, y] = [right, up].map((axis) => dot(offset, axis) / (size * dot(axis, axis))) as [number, number];
   return Math.abs(x) <= 1 && Math.abs(y) <= 1 ? [x, y] : undefined;
 }
 
@@ -58,11 +61,11 @@ const contains = ([left, bottom, right, top]: Window, [x, y]: [number, number]) 
   x >= left - 1e-9 && x <= right + 1e-9 && y >= bottom - 1e-9 && y <= top + 1e-9;
 
 describe.each(Object.keys(VISIBLE_EMITTERS))("the window of a %s, seed 21", (kind) => {
-  test("holds every point of it that is in view", () => {
+  test.each([false, true])("holds every point of it that is in view, orthographic: %s", (isOrthographic) => {
     let seen = 0;
     for (let i = 0; i < VIEWS; i++) {
       const { shape, point } = VISIBLE_EMITTERS[kind]!();
-      const view = randomView();
+      const view = randomView(isOrthographic);
       const window = emitterWindow(emittersOf([shape]), view);
       const points = Array.from({ length: POINTS }, () => project(point(), view)).filter((p) => p !== undefined);
       seen += points.length;
@@ -78,6 +81,16 @@ const FRONT: Frustum = { origin: [0, 0, 10], forward: [0, 0, -1], right: [0.5, 0
 test("a ball's window ends at its tangents", () => {
   const [, , right] = emitterWindow([{ ball: { center: [0, 0, 0], radius: 1 } }], FRONT);
   expect(right).toBeCloseTo(Math.tan(Math.asin(1 / 10)) / 0.5, 12);
+});
+
+test("in an orthographic view a window is as large as what it holds, however far that is", () => {
+  const view: Frustum = { ...FRONT, right: [4, 0, 0], up: [0, 2, 0], isOrthographic: true };
+  for (const z of [9.5, 0, -1e6]) {
+    const window = emitterWindow([{ ball: { center: [1, 0, z], radius: 1 } }], view);
+    expect(window).toEqual([0, -0.5, 0.5, 0.5]);
+  }
+  expect(shareOf(emitterWindow([{ ball: { center: [0, 0, 11.5], radius: 1 } }], view))).toBe(0);
+  expect(shareOf(emitterWindow([{ points: [[4.5, 0, 0]] }], view))).toBe(0);
 });
 
 test("several lamps share the window around all of them", () => {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { vec3n } from "wgpu-matrix";
-import { distanceLimitsFor, orbitBy, panBy, zoomBy } from "../../../src/element/orbit";
+import { orbitBy, panBy, zoomBy, zoomLimitsFor } from "../../../src/element/orbit";
 import type { ResolvedCamera } from "../../../src/scene/schema";
 
 const camera: ResolvedCamera = { position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 90 };
@@ -57,7 +57,7 @@ describe("zoomBy", () => {
   });
 
   it("keeps within limits made for the scene, and above 0", () => {
-    const limits = distanceLimitsFor(camera);
+    const limits = zoomLimitsFor(camera);
     let near = camera;
     let far = camera;
     for (let step = 0; step < 1000; step++) {
@@ -80,6 +80,35 @@ describe("panBy", () => {
   it("does not turn the view", () => {
     const moved = panBy(tilted, 0.3, -0.4);
     expectNear(vec3n.subtract(moved.position, moved.target), vec3n.subtract(tilted.position, tilted.target));
+  });
+});
+
+describe("an orthographic camera", () => {
+  const flat: ResolvedCamera = { ...tilted, orthographicHeight: 4 };
+
+  it("zooms by its height and stays where it is, within limits made for the scene's height", () => {
+    expect(zoomBy(flat, 0.5)).toEqual({ ...flat, orthographicHeight: 2 });
+    const limits = zoomLimitsFor(flat);
+    let [near, far] = [flat, flat];
+    for (let step = 0; step < 100; step++) [near, far] = [zoomBy(near, 0.5, limits), zoomBy(far, 2, limits)];
+    expect([near, far]).toEqual([
+      { ...flat, orthographicHeight: 0.04 },
+      { ...flat, orthographicHeight: 400 },
+    ]);
+  });
+
+  it("has no limits of the distance of a scene's camera that is none, nor that one of its height", () => {
+    expect(zoomBy(flat, 1e-3, zoomLimitsFor(tilted, flat)).orthographicHeight).toBeCloseTo(0.004, 12);
+    expect(distanceOf(zoomBy(tilted, 1e-3, zoomLimitsFor(flat, tilted)))).toBeCloseTo(distanceOf(tilted) / 1000, 12);
+  });
+
+  it("pans by shares of its height, whatever its distance, and turns without changing it", () => {
+    for (const z of [5, 500]) {
+      const moved = panBy({ ...camera, position: [0, 0, z], orthographicHeight: 4 }, 0.1, 0.2);
+      expectNear(moved.target, [-0.4, -0.8, 0]);
+    }
+    expect(orbitBy(flat, 1, 0.2).orthographicHeight).toBe(4);
+    expect(distanceOf(orbitBy(flat, 1, 0.2))).toBeCloseTo(distanceOf(flat), 12);
   });
 });
 

@@ -104,3 +104,29 @@ test("rays start on a plane clear of the scene, in the same directions", () => {
   expectVector(start.origin, vec3d.addScaled(CAMERA.position, vec3d.clone(basis.forward), start.near));
   expect(start).toMatchObject({ forward: basis.forward, right: basis.right, up: basis.up });
 });
+
+describe("an orthographic camera", () => {
+  const CAMERA_UP = { ...CAMERA, orthographicHeight: 3 };
+
+  test("has its edges at half its height, and that times the aspect, in units", () => {
+    const { right, up, isOrthographic } = cameraBasis(parseCamera(CAMERA_UP), [0, 0, 0], 1.5, 0.25);
+    expect(isOrthographic).toBe(true);
+    expect(vec3d.length(up)).toBeCloseTo(6, 14);
+    expect(vec3d.length(right)).toBeCloseTo(9, 14);
+  });
+
+  test("has rays that in f32 start where the picture says, to the digit, and are parallel", () => {
+    const view = cameraBasis(parseCamera(CAMERA_UP), [0, 0, 0], 1.5);
+    const start = rayStart(view, []);
+    for (const corner of [-1, 1, 0.37]) {
+      for (const axis of ["right", "up"] as const) {
+        const expected = view[axis].map((component) => Math.fround(corner) * Math.fround(component));
+        const offset = start[axis].map((component) => Math.fround(corner) * Math.fround(component));
+        expect(offset.map((component) => start.near * component)).toEqual(expected);
+        expect(offset.map((component, i) => Math.fround(Math.fround(start.forward[i]!) + component))).toEqual(
+          start.forward.map(Math.fround),
+        );
+      }
+    }
+  });
+});

@@ -148,6 +148,15 @@ describe("numbers", () => {
 });
 
 describe("camera", () => {
+  test.each([0, -3, Number.NaN, Number.POSITIVE_INFINITY, "3"])(
+    "orthographicHeight is positive: %s",
+    (orthographicHeight) => {
+      const shown = typeof orthographicHeight === "string" ? '"3"' : orthographicHeight;
+      const message = `camera.orthographicHeight: expected a finite number > 0, got ${shown}`;
+      expect(withCamera({ orthographicHeight })).toEqual([message]);
+    },
+  );
+
   test("the angle of view is between 0 and 180 degrees", () => {
     for (const verticalFov of [0, 180, -45]) {
       const message = `camera.verticalFov: expected an angle between 0 and 180 degrees, got ${verticalFov}`;
@@ -351,7 +360,7 @@ describe("unknown keys", () => {
 
   test("where nothing is close, the known keys are listed", () => {
     expect(withCamera({ fov: 45 })).toEqual([
-      'camera.fov: unknown key; the keys here are "position", "target", "up", "verticalFov"',
+      'camera.fov: unknown key; the keys here are "position", "target", "up", "verticalFov", "orthographicHeight"',
     ]);
   });
 

@@ -14,7 +14,7 @@ const MESH = { type: "mesh", positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], indices: [0
 /** Every type, and every field. */
 const FULL_SCENE = {
   $schema: "../scene.schema.json",
-  camera: { position: [0, 1, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 45 },
+  camera: { position: [0, 1, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 45, orthographicHeight: 3 },
   materials: {
     full: {
       baseColor: [1, 0.5, 0],
@@ -28,6 +28,11 @@ const FULL_SCENE = {
       alphaMode: "mask",
       alphaCutoff: 0.25,
       masking: "smith",
+      doubleSided: true,
+      unlit: true,
+      alpha: 0.5,
+      alphaMode: "blend",
+      alphaCutoff: 0.5,
       multiscatter: true,
       baseColorTexture: "dot",
       metallicRoughnessTexture: "dot",
