@@ -1,6 +1,6 @@
 // What a camera sees of meshes, in a picture of a few pixels that takes milliseconds.
 
-import { add, cross, dot, normalize, scale, subtract } from "../math/vec3";
+import { add, cross, dot, length, normalize, scale, subtract } from "../math/vec3";
 import type { Mesh } from "../scene/meshes";
 import type { Camera, Vec3 } from "../scene/schema";
 
@@ -23,6 +23,9 @@ const SIZE = 16;
 /** Tests of a pixel against a triangle: a fraction of a second. Triangles beyond them are not looked at. */
 const MAX_TESTS = 2 ** 25;
 
+/** Lengths of the view from which rays are parallel enough for such pixels, while depths keep their digits. */
+const FAR_AWAY = 1e6;
+
 /** What is met, by pixel: arrays, because a mesh can have millions of triangles. */
 type Sight = {
   readonly depths: Float64Array;
@@ -31,14 +34,20 @@ type Sight = {
   readonly meshes: (Mesh | undefined)[];
   /** Weights of the triangle's second and third corner. */
   readonly weights: Float64Array;
+  /** Depth in front of which nothing is seen. */
+  readonly start: number;
   tests: number;
 };
 
 /** The first thing that is met in the middle of each pixel of a square picture; pixels that meet nothing are not there. */
 export function firstSight(camera: Camera, meshes: readonly Mesh[]): SeenPoint[] {
-  const { position, target = [0, 0, 0], up = [0, 1, 0], verticalFov = 45 } = camera;
-  const slope = Math.tan((verticalFov * Math.PI) / 360);
-  const back = normalize(subtract(position, target));
+  const { target = [0, 0, 0], up = [0, 1, 0], verticalFov = 45, orthographicHeight: height } = camera;
+  const toCamera = subtract(camera.position, target);
+  const back = normalize(toCamera);
+  // Parallel rays come from far away, and start at the camera.
+  const start = height === undefined ? 0 : FAR_AWAY * (height + length(toCamera));
+  const position = add(camera.position, scale(back, start));
+  const slope = height === undefined ? Math.tan((verticalFov * Math.PI) / 360) : height / 2 / start;
   const right = normalize(cross(up, back));
   // Pixels are numbered by where x / −z and y / −z are between −1 and 1.
   const axes = [scale(right, 1 / slope), scale(cross(back, right), 1 / slope), back] as const;
@@ -48,6 +57,7 @@ export function firstSight(camera: Camera, meshes: readonly Mesh[]): SeenPoint[]
     meshes: Array(SIZE * SIZE).fill(undefined),
     weights: new Float64Array(2 * SIZE * SIZE),
     tests: 0,
+    start,
   };
   for (const mesh of meshes) look(mesh, toEyeSpace(mesh.positions as ArrayLike<number>, position, axes), sight);
   return sight.meshes.flatMap((mesh, pixel) => {
@@ -107,7 +117,7 @@ function look(mesh: Mesh, eye: Float64Array, sight: Sight): void {
         const isWithin = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
         const depth = volume / (u + v + w);
         const pixel = SIZE * row + column;
-        if (!isWithin || !(depth > 0 && depth < sight.depths[pixel]!)) continue;
+        if (!isWithin || !(depth > sight.start && depth < sight.depths[pixel]!)) continue;
         sight.depths[pixel] = depth;
         sight.meshes[pixel] = mesh;
         sight.triangles[pixel] = i;

@@ -24,26 +24,47 @@ export function convertCamera(
 ): Camera | undefined {
   for (const { node, world } of nodes) {
     if (node.camera === undefined) continue;
-    const { type, perspective, name } = json.cameras[node.camera]!;
+    const { name, ...camera } = json.cameras[node.camera]!;
     const place = placeOf("cameras", node.camera, name);
     const [right, up, back] = [axisOf(world, 0), axisOf(world, 1), axisOf(world, 2)];
-    if (type === "orthographic" || perspective === undefined) {
-      warnings.add("Orthographic cameras are not supported: the model is framed instead", place);
+    const lens = lensOf(camera);
+    if (lens === undefined) {
+      warnings.add("A camera without a field of view is left out: the model is framed instead", place);
     } else if (!(length(cross(up, back)) > SMALL_SINE * length(up) * length(back))) {
       warnings.add("A camera flattened by its node's scale is left out: the model is framed instead", place);
     } else {
-      const position = positionOf(world);
       const ahead = normalize(scale(back, -1));
+      const position = startOf(positionOf(world), ahead, camera, bounds);
       const target = add(position, scale(ahead, depthOf(bounds, position, ahead)));
       return {
         position,
         target,
         up: isLevel(right, up, ahead) ? [0, 1, 0] : up,
-        verticalFov: perspective.yfov * DEGREES,
+        ...lens,
       };
     }
   }
   return undefined;
+}
+
+type GltfCamera = GltfJson["cameras"][number];
+
+/** What the scale of the camera's node has no part in, by glTF's rule. `undefined` for a picture of no size. */
+function lensOf({ type, perspective, orthographic }: GltfCamera): Partial<Camera> | undefined {
+  if (type === "perspective") return perspective && { verticalFov: perspective.yfov * DEGREES };
+  return orthographic?.ymag ? { orthographicHeight: 2 * Math.abs(orthographic.ymag) } : undefined;
+}
+
+/** The rays of an orthographic camera start at its near plane, if that cuts something off. Those of others start at the node. */
+function startOf(position: Vec3, ahead: Vec3, { type, orthographic }: GltfCamera, bounds: Bounds): Vec3 {
+  if (type === "perspective" || !orthographic || bounds.isEmpty) return position;
+  const { min, max } = bounds;
+  const depths = position.map((at, axis) =>
+    Math.min((min[axis]! - at) * ahead[axis]!, (max[axis]! - at) * ahead[axis]!),
+  );
+  const nearest = depths.reduce((sum, depth) => sum + depth);
+  const { znear } = orthographic;
+  return nearest < Math.max(znear, 0) ? add(position, scale(ahead, znear)) : position;
 }
 
 /** Whether the horizon is level in the picture: then the camera is to be turned around the vertical, though it looks down. */

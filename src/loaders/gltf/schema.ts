@@ -159,6 +159,7 @@ const Camera = v.object({
   perspective: v.optional(
     v.object({ yfov: v.pipe(finite, v.gtValue(0), v.ltValue(Math.PI)), znear: v.optional(finite) }),
   ),
+  orthographic: v.optional(v.object({ ymag: v.optional(finite, 0), znear: v.optional(finite, 0) })),
 });
 
 const Node = v.object({

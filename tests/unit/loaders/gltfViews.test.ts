@@ -69,9 +69,57 @@ describe("the camera", () => {
     expect(scene.camera.target[1]).toBeLessThan(3);
   });
 
-  test("is not an orthographic one, and that is said", async () => {
-    const { warnings } = await load((json) => withCamera(json, {}, { type: "orthographic", orthographic: {} }));
-    expect(warnings).toEqual(["Orthographic cameras are not supported: the model is framed instead (cameras[0])"]);
+  describe("if it is orthographic", () => {
+    const orthographic = (fields: object) => ({
+      type: "orthographic",
+      orthographic: { xmag: 2, zfar: 100, ...fields },
+    });
+    // The triangle has corners at 0, 1 along x and 1 along y.
+    const cameraOf = async (fields: object, node: object = { translation: [0.5, 0.5, 4] }) => {
+      const { scene, warnings } = await load((json) => withCamera(json, node, orthographic(fields)));
+      expect(warnings).toEqual([]);
+      return scene.camera;
+    };
+
+    test("shows twice ymag from the lower to the upper edge", async () => {
+      const camera = await cameraOf({ ymag: 1.5, znear: 0.1 });
+      expect(camera).toMatchObject({ position: [0.5, 0.5, 4], target: [0.5, 0.5, 0], orthographicHeight: 3 });
+      expect((await cameraOf({ ymag: -1.5, znear: 0.1 })).orthographicHeight).toBe(3);
+    });
+
+    test("is not scaled with its node", async () => {
+      const camera = await cameraOf({ ymag: 1.5, znear: 0.1 }, { translation: [0.5, 0.5, 4], scale: [2, 3, 5] });
+      expect(camera).toMatchObject({ position: [0.5, 0.5, 4], target: [0.5, 0.5, 0], orthographicHeight: 3 });
+    });
+
+    test("begins at znear where that cuts something off, before the node or behind it", async () => {
+      const half = Math.SQRT1_2;
+      // From the right, 0.5 from the triangle's corner.
+      const node = { translation: [1.5, 0.5, 0], rotation: [0, half, 0, half] };
+      const begin = async (znear: number) => (await cameraOf({ ymag: 1, znear }, node)).position[0];
+      expect(await begin(0.4)).toBe(1.5);
+      expect(await begin(0.75)).toBeCloseTo(0.75, 12);
+      expect(await begin(-0.4)).toBe(1.5);
+      const within = async (znear: number) =>
+        (await cameraOf({ ymag: 1, znear }, { ...node, translation: [0.5, 0.5, 0] })).position[0];
+      expect(await within(0)).toBe(0.5);
+      expect(await within(-1)).toBeCloseTo(1.5, 12);
+    });
+
+    test.each([{}, { ymag: 0 }])("but shows nothing, the model is framed, and that is said: %j", async (fields) => {
+      const { scene, warnings } = await load((json) => withCamera(json, {}, orthographic(fields)));
+      expect(scene.camera.orthographicHeight).toBeUndefined();
+      expect(warnings).toEqual([
+        "A camera without a field of view is left out: the model is framed instead (cameras[0])",
+      ]);
+    });
+
+    test("but flattened, the model is framed, and that is said", async () => {
+      const { warnings } = await load((json) => withCamera(json, { scale: [1, 0, 1] }, orthographic({ ymag: 1 })));
+      expect(warnings).toEqual([
+        "A camera flattened by its node's scale is left out: the model is framed instead (cameras[0])",
+      ]);
+    });
   });
 
   test("without one, every vertex is in a square picture, and most of it is filled", async () => {
