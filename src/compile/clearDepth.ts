@@ -1,9 +1,9 @@
 import type { Ball } from "../lights/light";
-import { cross, dot, length, scale, subtract } from "../math/vec3";
+import { add, cross, dot, length, scale, subtract } from "../math/vec3";
 import type { Flat } from "../shapes/shape";
 import { hullOf, kindOf, reachAlong, type Shape } from "../shapes/shapes";
 import { isInView } from "./emitterWindow";
-import { edgeRays, type Frustum } from "./frustum";
+import { edgeRays, type Frustum, spreadOf } from "./frustum";
 
 // A little less than what is clear, for f32 may round up.
 const MARGIN = 1 - 2 ** -10;
@@ -28,8 +28,7 @@ export function clearDepth(shapes: readonly Shape[], view: Frustum): number {
 }
 
 function depthOfPlane(plane: Flat, view: Frustum): number {
-  // Along each ray the plane lies at depth height / slope, and both are linear in x and y: what is nearest in view is in a
-  // corner of the image, unless rays start on both sides.
+  // A ray meets the plane at depth height / slope. Where all start on one side, none meets it before those at the edges do.
   const rays = edgeRays(view).map(({ from, along }) => {
     return { height: dot(subtract(plane.point, from), plane.normal), slope: dot(along, plane.normal) };
   });
@@ -43,20 +42,23 @@ function depthOfPlane(plane: Flat, view: Frustum): number {
  * No ray of a view meets a ball at less depth. Of a planet whose horizon is far away the nearest point is not in view: what
  * comes nearest to its centre decides.
  */
-function ballDepth({ center, radius }: Ball, { origin, forward, right, up, isOrthographic }: Frustum): number {
-  const toCenter = subtract(center, origin);
-  const distance = length(toCenter);
-  const corner = Math.hypot(length(right), length(up));
-  if (isOrthographic) {
-    const passes = Math.max(length(cross(toCenter, forward)) - corner, 0);
+function ballDepth({ center, radius }: Ball, view: Frustum): number {
+  const { at, slope } = spreadOf(view);
+  const toCenter = subtract(center, view.origin);
+  if (slope === 0) {
+    const passes = Math.max(length(cross(toCenter, view.forward)) - at, 0);
     if (passes >= radius) return Number.POSITIVE_INFINITY;
-    return dot(toCenter, forward) - Math.sqrt((radius - passes) * (radius + passes));
+    return dot(toCenter, view.forward) - Math.sqrt((radius - passes) * (radius + passes));
   }
+  // All rays are in a cone, whose tip may lie behind the camera.
+  const behind = at / slope;
+  const fromTip = add(toCenter, scale(view.forward, behind));
+  const distance = length(fromTip);
   if (distance <= radius) return 0;
-  const toCorner = Math.atan(corner);
-  const angle = Math.max(Math.atan2(length(cross(toCenter, forward)), dot(toCenter, forward)) - toCorner, 0);
+  const toCorner = Math.atan(slope);
+  const angle = Math.max(Math.atan2(length(cross(fromTip, view.forward)), dot(fromTip, view.forward)) - toCorner, 0);
   const passes = distance * Math.sin(angle);
   if (passes >= radius) return Number.POSITIVE_INFINITY;
   const way = distance * Math.cos(angle) - Math.sqrt((radius - passes) * (radius + passes));
-  return way * Math.cos(toCorner);
+  return way * Math.cos(toCorner) - behind;
 }

@@ -35,7 +35,8 @@ export function compileScene(
   const primitives = primitivesOf(scene, geometry);
   const lights = lightsOfScene(scene, primitives);
   const hasEnvironment = scene.environment.radiance.some((value) => value > 0);
-  const features = deriveFeatures(primitives, lights, hasEnvironment, geometry, settings);
+  const hasLens = given.camera.aperture > 0;
+  const features = deriveFeatures(primitives, lights, { hasEnvironment, hasLens }, geometry, settings);
   const unrolling = unrollingOf(primitives, geometry);
   const tables = tablesOf(primitives, lights, unrolling, geometry, scene, features);
   const parts = { primitives, lights, unrolling, features, tables, geometry };
@@ -121,7 +122,7 @@ export class CompiledScene {
     const { blockers, unrolling, origin, unit } = this.#shared;
     const position = scale(subtract(camera.position, origin), 1 / unit);
     // How wide the picture is, and so where the parallel rays of an orthographic one start, is not known here.
-    const reach = camera.orthographicHeight === undefined ? 0 : Number.POSITIVE_INFINITY;
+    const reach = camera.orthographicHeight === undefined ? camera.aperture / unit : Number.POSITIVE_INFINITY;
     const ids = unrolling.unrolled.filter((id) => blockers.canBlock(id, position, reach));
     const blocking = ids.join(" ");
     if (this.#atRest?.blocking !== blocking) {

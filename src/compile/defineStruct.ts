@@ -3,6 +3,7 @@ const TYPES = {
   f32: { align: 4, size: 4, count: 1 },
   u32: { align: 4, size: 4, count: 1 },
   vec2u: { align: 8, size: 8, count: 2 },
+  vec2f: { align: 8, size: 8, count: 2 },
   vec3u: { align: 16, size: 12, count: 3 },
   vec3f: { align: 16, size: 12, count: 3 },
   vec4f: { align: 16, size: 16, count: 4 },

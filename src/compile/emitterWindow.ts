@@ -3,7 +3,7 @@ import type { Vec3 } from "../scene/schema";
 import { cornersBetween } from "../shapes/cornersBetween";
 import type { Hull } from "../shapes/shape";
 import { hullOf, reachAlong, type Shape } from "../shapes/shapes";
-import type { Frustum } from "./frustum";
+import { blurOf, type Frustum } from "./frustum";
 
 /** A rectangle of the image plane: [left, bottom, right, top], each in [-1, 1]. */
 export type Window = readonly [left: number, bottom: number, right: number, top: number];
@@ -49,25 +49,37 @@ export function shareOf([left, bottom, right, top]: Window): number {
 
 function windowOf(emitter: Emitter, view: Frustum): Window {
   if (emitter === undefined) return EVERYTHING;
-  if (view.isOrthographic) return parallelWindow(emitter, view);
-  if ("ball" in emitter) {
-    const { center, radius } = emitter.ball;
-    const [left, right] = ballRange(center, radius, view, view.right);
-    const [bottom, top] = ballRange(center, radius, view, view.up);
-    return clip([left, bottom, right, top]);
-  }
-  const points = emitter.points.map((point) => subtract(point, view.origin));
-  // What reaches behind the camera may be anywhere in its image.
-  if (points.some((point) => dot(point, view.forward) <= 0)) return EVERYTHING;
-  const [xs, ys] = [view.right, view.up].map((axis) => points.map((point) => tangent(point, view, axis)));
-  return clip([Math.min(...xs!), Math.min(...ys!), Math.max(...xs!), Math.max(...ys!)]);
+  const { origin, forward, right, up, isOrthographic } = view;
+  const [nearest, farthest] = rangeAlong(emitter, origin, forward);
+  if (farthest < 0 && (isOrthographic || view.lens)) return NOTHING;
+  const blur = blurOf(view, nearest, farthest);
+  if (!Number.isFinite(blur)) return EVERYTHING;
+  const sharp = isOrthographic ? rangesOf(emitter, view) : seenRanges(emitter, view);
+  if (sharp === undefined) return EVERYTHING;
+  const [x, y] = sharp;
+  const [wider, higher] = blur === 0 ? [0, 0] : [blur / length(right), blur / length(up)];
+  return clip([x[0] - wider, y[0] - higher, x[1] + wider, y[1] + higher]);
 }
 
-function parallelWindow(hull: Hull, { origin, forward, right, up }: Frustum): Window {
-  const [, farthest] = rangeAlong(hull, origin, forward);
-  if (farthest < 0) return NOTHING;
+type Ranges = readonly [x: readonly [number, number], y: readonly [number, number]];
+
+/** Where a hull lies in the image plane; undefined for anywhere. */
+function seenRanges(hull: Hull, view: Frustum): Ranges | undefined {
+  if ("ball" in hull) {
+    const { center, radius } = hull.ball;
+    return [ballRange(center, radius, view, view.right), ballRange(center, radius, view, view.up)];
+  }
+  const points = hull.points.map((point) => subtract(point, view.origin));
+  // What reaches behind the camera may be anywhere in its image.
+  if (points.some((point) => dot(point, view.forward) <= 0)) return undefined;
+  const [xs, ys] = [view.right, view.up].map((axis) => points.map((point) => tangent(point, view, axis)));
+  return [rangeOf(xs!), rangeOf(ys!)];
+}
+
+/** The same by parallel rays. */
+function rangesOf(hull: Hull, { origin, right, up }: Frustum): Ranges {
   const [x, y] = [right, up].map((axis) => rangeAlong(hull, origin, scale(axis, 1 / dot(axis, axis))));
-  return clip([x![0], y![0], x![1], y![1]]);
+  return [x!, y!];
 }
 
 /** Least and most of what points of a hull have along an axis. */
@@ -76,7 +88,10 @@ function rangeAlong(hull: Hull, origin: Vec3, axis: Vec3): [number, number] {
     const [middle, reach] = [dot(subtract(hull.ball.center, origin), axis), hull.ball.radius * length(axis)];
     return [middle - reach, middle + reach];
   }
-  const places = hull.points.map((point) => dot(subtract(point, origin), axis));
+  return rangeOf(hull.points.map((point) => dot(subtract(point, origin), axis)));
+}
+
+function rangeOf(places: readonly number[]): [number, number] {
   return [Math.min(...places), Math.max(...places)];
 }
 

@@ -21,7 +21,7 @@ export type Features = ReturnType<typeof deriveFeatures>;
 export function deriveFeatures(
   primitives: readonly Primitive[],
   lights: readonly Light[],
-  hasEnvironment: boolean,
+  { hasEnvironment, hasLens }: { readonly hasEnvironment: boolean; readonly hasLens: boolean },
   geometry: Geometry | undefined,
   settings: ProgramSettings,
 ) {
@@ -73,6 +73,7 @@ export function deriveFeatures(
     // Of those, some shine to one side only.
     FLAT_LIGHTS: lights.some(({ front }) => front !== undefined),
     ENVIRONMENT: hasEnvironment,
+    LENS: hasLens,
     SOBOL: settings.sampler === "sobol",
     INDEPENDENT: settings.sampler === "independent",
     UNIFORM: settings.estimator === "uniform",
@@ -131,6 +132,7 @@ const SURFACE_WORDS: Words = {
 };
 const SETTING_WORDS: Words = {
   ENVIRONMENT: "environment",
+  LENS: "lens",
   SOBOL: "Sobol points",
   INDEPENDENT: "independent points",
   UNIFORM: "uniform estimator",

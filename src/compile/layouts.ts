@@ -57,6 +57,7 @@ export const FRAME = defineStruct({
   near: "f32",
   emittersFrom: "vec2u",
   emittersTo: "vec2u",
+  lens: "vec2f",
 });
 
 /** How the film is shown: `View` in `wgsl/blit.wgsl`. */

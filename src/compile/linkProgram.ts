@@ -7,14 +7,18 @@ const AT_ONCE = import.meta.glob<string>(
     "../{wgsl,shapes,lights,lobes}/*.wgsl",
     "!../{shapes,lights}/mesh.wgsl",
     "!../lobes/multiscatter.wgsl",
-    "!../wgsl/{tree,textures,coverage,baseline,pick}.wgsl",
+    "!../wgsl/{tree,textures,coverage,lens,baseline,pick}.wgsl",
   ],
   { query: "?raw", import: "default", eager: true },
 );
 
 /** Those that few scenes need: each is loaded when one does. */
 const ON_DEMAND = import.meta.glob<string>(
-  ["../{shapes,lights}/mesh.wgsl", "../lobes/multiscatter.wgsl", "../wgsl/{tree,textures,coverage,baseline,pick}.wgsl"],
+  [
+    "../{shapes,lights}/mesh.wgsl",
+    "../lobes/multiscatter.wgsl",
+    "../wgsl/{tree,textures,coverage,lens,baseline,pick}.wgsl",
+  ],
   { query: "?raw", import: "default" },
 );
 

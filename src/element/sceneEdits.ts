@@ -2,7 +2,7 @@ import type { PathTracer } from "../renderer/pathTracer";
 import type { Scene } from "../scene/schema";
 
 /** What a change of the scene needs of a tracer. */
-export type EditedTracer = Pick<PathTracer, "camera" | "setCamera" | "setScene">;
+export type EditedTracer = Pick<PathTracer, "camera" | "setScene">;
 
 /** Shows changed scenes, one at a time: of those that come while one is compiled, the last one is next. */
 export class SceneEdits {
@@ -38,10 +38,7 @@ export class SceneEdits {
 
   async #showNext(scene: Scene): Promise<void> {
     this.#next = undefined;
-    const { camera } = this.#tracer;
-    const shown = this.#tracer.setScene(scene);
-    this.#tracer.setCamera(camera); // at once, so that no frame shows the scene's own
-    await shown;
+    await this.#tracer.setScene(scene, { camera: this.#tracer.camera });
   }
 }
 

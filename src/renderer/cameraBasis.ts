@@ -1,8 +1,8 @@
 import { clearDepth } from "../compile/clearDepth";
 import type { Emitter } from "../compile/emitterWindow";
 import { emitterWindow, shareOf } from "../compile/emitterWindow";
-import type { Frustum } from "../compile/frustum";
-import { add, cross, normalize, scale, subtract } from "../math/vec3";
+import type { Frustum, Lens } from "../compile/frustum";
+import { add, cross, length, normalize, scale, subtract } from "../math/vec3";
 import type { ResolvedCamera, Vec3 } from "../scene/schema";
 import type { Shape } from "../shapes/shapes";
 
@@ -13,8 +13,10 @@ import type { Shape } from "../shapes/shapes";
  * of an orthographic one, wherever it is.
  */
 export function cameraBasis(camera: ResolvedCamera, origin: Vec3, aspect: number, unit = 1): Frustum {
-  const { position, target, up, verticalFov, orthographicHeight } = camera;
-  const forward = normalize(subtract(target, position));
+  const { position, target, up, verticalFov, orthographicHeight, aperture } = camera;
+  const view = subtract(target, position);
+  const { focusDistance = length(view) } = camera;
+  const forward = normalize(view);
   const right = normalize(cross(forward, up));
   const isOrthographic = orthographicHeight !== undefined;
   const halfHeight = isOrthographic ? orthographicHeight / 2 / unit : Math.tan((verticalFov * Math.PI) / 360);
@@ -24,7 +26,17 @@ export function cameraBasis(camera: ResolvedCamera, origin: Vec3, aspect: number
     right: scale(right, halfHeight * aspect),
     up: scale(cross(right, forward), halfHeight),
     isOrthographic,
+    ...(aperture > 0 && { lens: lensOf(aperture / unit, focusDistance / unit) }),
   };
+}
+
+// A wider lens, and steeper rays from its edge, leave f32 no digits for what they see, and no exponents for squares.
+const WIDEST = 1e12;
+const STEEPEST = 1e9;
+
+function lensOf(aperture: number, focusDistance: number): Lens {
+  const radius = Math.min(aperture, WIDEST);
+  return { radius, focus: Math.max(focusDistance, radius / STEEPEST) };
 }
 
 // To the shader an orthographic camera is a pinhole camera that is this far away. A power of two, so that no digit of where its rays
@@ -33,14 +45,21 @@ const FAR_AWAY = 2 ** 64;
 
 /**
  * Camera rays as the shader wants them: through image plane coordinates (x, y) from origin + near·offset along forward + offset,
- * with offset = x·right + y·up. They start on a plane clear of all shapes.
+ * with offset = x·right + y·up. They start on a plane clear of all shapes. `lens` is what a lens adds to this: see lens.wgsl.
  */
 export function rayStart(view: Frustum, shapes: readonly Shape[]) {
-  const { forward, right, up, isOrthographic } = view;
+  const { forward, right, up, isOrthographic, lens } = view;
   const depth = clearDepth(shapes, view);
-  const origin = add(view.origin, scale(forward, depth));
-  if (!isOrthographic) return { origin, forward, right, up, near: depth };
-  return { origin, forward, right: scale(right, 1 / FAR_AWAY), up: scale(up, 1 / FAR_AWAY), near: FAR_AWAY };
+  const away = isOrthographic ? FAR_AWAY : 1;
+  const radius = lens ? (away * lens.radius) / length(up) : 0;
+  return {
+    origin: add(view.origin, scale(forward, depth)),
+    forward,
+    right: scale(right, 1 / away),
+    up: scale(up, 1 / away),
+    near: isOrthographic ? FAR_AWAY : depth,
+    lens: lens ? [radius * (1 - depth / lens.focus), radius / lens.focus] : [0, 0],
+  };
 }
 
 // An emitter that fills more of the picture than this has too few edges in it to pay for looking at all of it more often.

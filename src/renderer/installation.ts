@@ -1,13 +1,16 @@
-import { type CompiledScene, compileScene } from "../compile/compileScene";
+import type { CompiledScene } from "../compile/compileScene";
 import type { SceneGeometry } from "../gpu/sceneGeometry";
-import type { ResolvedCamera, ResolvedScene } from "../scene/schema";
+import { parseCamera } from "../scene/parseScene";
+import type { Camera, ResolvedCamera, ResolvedScene } from "../scene/schema";
 import { type BuiltGeometry, buildGeometry } from "./buildGeometry";
 import type { DeviceGuard } from "./deviceGuard";
-import { createProgram, type Program, programKey } from "./program";
+import { compileFor, createProgram, type Program, programKey } from "./program";
 import type { Settings } from "./settings";
 
 /** What somebody who shows a scene may want to know meanwhile. */
 export type SceneOptions = {
+  /** From where it is shown. Default: the scene's own. */
+  readonly camera?: Camera;
   /** Told which share of a scene's geometry is sorted, from 0 to 1, where there is much of it. */
   readonly onProgress?: (fraction: number) => void;
   /** Ends the sorting, in a worker too; the promise is then rejected with its reason. A scene that was shown stays. */
@@ -27,6 +30,11 @@ export type InstalledScene = {
 export type ReadyScene = Omit<InstalledScene, "geometry"> & { readonly geometry: BuiltGeometry | undefined };
 
 type Shown = Pick<InstalledScene, "scene" | "camera">;
+
+/** From where a scene is shown at first. @throws {SceneError} if what was asked for is no camera. */
+export function cameraFor(scene: ResolvedScene, { camera }: SceneOptions): ResolvedCamera {
+  return camera ? parseCamera(camera) : scene.camera;
+}
 
 type InstallationOptions = {
   readonly guard: DeviceGuard;
@@ -85,14 +93,16 @@ export class Installation {
     if (JSON.stringify(camera) === JSON.stringify(this.#shown.camera)) return;
     this.#shown = { ...this.#shown, camera };
     this.#onChange(false);
+    // A lens is code of its own. Until that is compiled the camera is shown without one.
+    if (this.#shown.compiled.features.LENS !== camera.aperture > 0) this.recompile().catch(this.#guard.fail);
   }
 
-  /** Shows another scene, or the same with other values. @throws {UnsupportedError | WebGpuError} The old one stays. */
+  /** Shows another scene, or the same with other values. @throws {SceneError | UnsupportedError | WebGpuError} The old one stays. */
   async install(scene: ResolvedScene, options: SceneOptions): Promise<void> {
-    await this.#install({ scene, camera: scene.camera }, options);
+    await this.#install({ scene, camera: cameraFor(scene, options) }, options);
   }
 
-  /** For other settings. What is pending is compiled for the newest settings as it is. */
+  /** For other settings, or another kind of camera. What is pending is compiled for the newest settings as it is. */
   async recompile(): Promise<void> {
     if (!this.#pending) await this.#install(this.#shown, {});
   }
@@ -130,7 +140,7 @@ export class Installation {
     options.signal.throwIfAborted();
     let { program } = this.#shown;
     for (;;) {
-      const compiled = compileScene(scene, this.#settings(), undefined, geometry?.source);
+      const compiled = compileFor(this.#pending!, this.#settings(), geometry?.source);
       if (program.key === programKey(compiled)) return this.#show({ ...this.#pending!, compiled, program, geometry });
       program = await createProgram(this.#guard.device, compiled); // settings may change meanwhile
       options.signal.throwIfAborted();

@@ -1,6 +1,9 @@
-import type { CompiledScene } from "../compile/compileScene";
+import { type CompiledScene, compileScene } from "../compile/compileScene";
+import type { ProgramSettings } from "../compile/features";
 import { linkProgram } from "../compile/linkProgram";
 import { createTracePipelines, type TracePipelines } from "../gpu/tracePass";
+import type { ResolvedCamera, ResolvedScene } from "../scene/schema";
+import type { Geometry } from "../tree/geometry";
 
 /** A compiled tracer for every scene that needs the same features in the same places. */
 export type Program = {
@@ -12,6 +15,15 @@ export type Program = {
   /** Programs with equal keys are interchangeable. */
   readonly key: string;
 };
+
+/** Compiles a scene for a camera that need not be its own: what matters of one is whether it has a lens. */
+export function compileFor(
+  { scene, camera: { aperture } }: { readonly scene: ResolvedScene; readonly camera: ResolvedCamera },
+  settings: ProgramSettings,
+  geometry: Geometry | undefined,
+): CompiledScene {
+  return compileScene({ ...scene, camera: { ...scene.camera, aperture } }, settings, undefined, geometry);
+}
 
 /** What decides whether a program fits a scene: all generated text, and the conditions it is linked under. */
 export function programKey({ sceneModule, features }: CompiledScene): string {

@@ -1,4 +1,3 @@
-import { compileScene } from "../compile/compileScene";
 import { linkModule } from "../compile/linkProgram";
 import { requestDevice } from "../gpu/device";
 import { checkFilmSize } from "../gpu/film";
@@ -8,8 +7,8 @@ import type { Scene } from "../scene/schema";
 import { buildGeometry } from "./buildGeometry";
 import { checkSettings } from "./checkSettings";
 import { DeviceGuard } from "./deviceGuard";
-import type { ReadyScene, SceneOptions } from "./installation";
-import { createProgram } from "./program";
+import { cameraFor, type ReadyScene, type SceneOptions } from "./installation";
+import { compileFor, createProgram } from "./program";
 import { DEFAULT_SETTINGS, type Settings } from "./settings";
 
 /** What a tracer is made from. */
@@ -43,15 +42,16 @@ export async function createParts(options: PathTracerOptions): Promise<TracerPar
   const settings = { ...DEFAULT_SETTINGS, ...options.settings };
   const scene = parseScene(options.scene);
   checkSettings(settings, scene.maxBounces);
+  const camera = cameraFor(scene, options);
   const geometry = await buildGeometry(scene, options);
-  const compiled = compileScene(scene, settings, undefined, geometry?.source);
+  const compiled = compileFor({ scene, camera }, settings, geometry?.source);
 
   const { width, height, device = await requestDevice() } = options;
   const guard = new DeviceGuard(device, options.device === undefined);
   try {
     checkFilmSize(device, width, height);
     const [program, errorPipeline] = await Promise.all([createProgram(device, compiled), createErrorPipeline(device)]);
-    const first = { scene, camera: scene.camera, compiled, program, geometry };
+    const first = { scene, camera, compiled, program, geometry };
     return { guard, settings, first, errorPipeline, width, height };
   } catch (error) {
     guard.dispose();

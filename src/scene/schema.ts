@@ -39,7 +39,7 @@ const MAX_BOUNCES = 1024;
 /** Where the scene is seen from, and how. */
 export const CameraSchema = strictObject(
   {
-    /** Where the rays start; of an orthographic camera, the middle of the plane where they start. */
+    /** Where the rays start: the middle of the lens or, of an orthographic camera, of the plane where they start. */
     position: vec3,
     /** The point in the middle of the picture. */
     target: v.optional(vec3, [0, 0, 0]),
@@ -52,6 +52,10 @@ export const CameraSchema = strictObject(
      * `verticalFov` has no meaning.
      */
     orthographicHeight: v.optional(positive),
+    /** Radius of the lens, in metres. 0 is a pinhole: all is sharp. */
+    aperture: v.optional(numberThat("a finite number ≥ 0", { min: 0 }), 0),
+    /** From the position to the plane across the view in which all is sharp, in metres. Default: the target lies in it. */
+    focusDistance: v.optional(positive),
   },
   ({ position, target, up }, addIssue) => {
     if (!position || !target) return;

@@ -4,9 +4,10 @@ import package::basis::{toLocal, toWorld};
 import package::camera::cameraRay;
 import package::constants::NONE;
 import package::coverage::drawCoverage;
-import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
+import package::dimensions::{DIRECTION, LENS_POINT, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::directLight::{DirectLight, directLight, unhidden};
 import package::frameUniforms::{countRay, frame};
+import package::lens::lensRay;
 import package::lights::light::{lightPick, sampleLight};
 import package::sampler::{Sampler, point};
 import package::scene::{bsdfEval, bsdfSampleUniform, closestHit, environment};
@@ -15,7 +16,8 @@ import package::surface::{Surface, leave, leaves, surfaceAt};
 fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   var L = vec3f(0.0);
   var beta = vec3f(1.0);
-  var ray = cameraRay(pixel, point(samples, PIXEL));
+  @if(!LENS) var ray = cameraRay(pixel, point(samples, PIXEL));
+  @if(LENS) var ray = lensRay(pixel, point(samples, PIXEL), point(samples, LENS_POINT));
   // Whether emitters that this ray hits have been counted already, by light sampling at its origin.
   var counted = false;
   for (var depth = 0u; ; depth++) {

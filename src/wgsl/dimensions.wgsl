@@ -4,6 +4,9 @@
 const PIXEL = 0u;
 // Of the rays that look for emitters.
 const EMITTER_PIXEL = 0x80000000u;
+// Where on the lens, of paths and of those rays.
+const LENS_POINT = 0x10000000u;
+const EMITTER_LENS_POINT = 0x90000000u;
 const LIGHT = 1u;
 // Added to the dimension of LIGHT: which part of a light of many parts.
 const LIGHT_PICK = 0x20000000u;

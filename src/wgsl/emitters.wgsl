@@ -8,7 +8,8 @@
 import package::camera::cameraRay;
 import package::constants::NONE;
 import package::coverage::drawCoverage;
-import package::dimensions::EMITTER_PIXEL;
+import package::dimensions::{EMITTER_LENS_POINT, EMITTER_PIXEL};
+import package::lens::lensRay;
 import package::sampler::{Sampler, point, subsample};
 import package::scene::closestHit;
 import package::surface::surfaceAt;
@@ -26,7 +27,9 @@ fn inEmitterWindow(pixel: vec2u) -> bool {
 fn emitterLight(pixel: vec2u, samples: Sampler) -> vec3f {
   var sum = vec3f(0.0);
   for (var i = 0u; i < EMITTER_RAYS; i++) {
-    let ray = cameraRay(pixel, point(subsample(samples, i, EMITTER_RAYS), EMITTER_PIXEL));
+    @if(!LENS) let ray = cameraRay(pixel, point(subsample(samples, i, EMITTER_RAYS), EMITTER_PIXEL));
+    @if(LENS) let part = subsample(samples, i, EMITTER_RAYS);
+    @if(LENS) let ray = lensRay(pixel, point(part, EMITTER_PIXEL), point(part, EMITTER_LENS_POINT));
     @if(ALPHA) drawCoverage(subsample(samples, i, EMITTER_RAYS), EMITTER_PIXEL);
     let hit = closestHit(ray);
     countRay();

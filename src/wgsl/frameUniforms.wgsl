@@ -28,6 +28,8 @@ struct FrameUniforms {
   // Outside of these pixels, from the first to before the second, the camera sees no emitter.
   emittersFrom: vec2u,
   emittersTo: vec2u,
+  // Radius of the lens as seen where rays start, and by how much their slope changes from its middle to its edge: see lens.wgsl.
+  @if(LENS) lens: vec2f,
 }
 
 @group(0) @binding(0) var<uniform> frame: FrameUniforms;

@@ -6,10 +6,11 @@ import package::basis::{toLocal, toWorld};
 import package::camera::cameraRay;
 import package::constants::{NEAR2, NONE};
 import package::coverage::drawCoverage;
-import package::dimensions::{DIRECTION, LIGHT, LOBE, PIXEL, dimensionAt};
+import package::dimensions::{DIRECTION, LENS_POINT, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::directLight::{DirectLight, directLight, lightSampleCount, unhidden};
 import package::emitters::inEmitterWindow;
 import package::frameUniforms::{countRay, frame};
+import package::lens::lensRay;
 import package::lights::light::{lightPick, lightShareOf, sampleLight};
 import package::minMax::{greater, lesser};
 import package::sampler::{Sampler, independent, point};
@@ -24,7 +25,8 @@ const ROULETTE_DEPTH = 4u;
 fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   var L = vec3f(0.0);
   var beta = vec3f(1.0);
-  var ray = cameraRay(pixel, point(samples, PIXEL));
+  @if(!LENS) var ray = cameraRay(pixel, point(samples, PIXEL));
+  @if(LENS) var ray = lensRay(pixel, point(samples, PIXEL), point(samples, LENS_POINT));
   // Density of ray.d, per steradian; 0 for directions that light sampling cannot find too. Negative where rays of their own
   // look for what emits: see emitters.wgsl.
   var pdf = select(0.0, -1.0, inEmitterWindow(pixel));

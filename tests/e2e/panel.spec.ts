@@ -213,7 +213,7 @@ test("the panel takes less than a millisecond of a frame", async ({ page }) => {
       alphaCutoff: 0.5,
       normalScale: 1,
     } as const;
-    const camera = { position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 45 } as const;
+    const camera = { position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 45, aperture: 0 } as const;
     const scene = {
       ...{ camera, materials: { gold }, textures: {}, lights: [], environment: { radiance: [0, 0, 0] } as const },
       objects: Array.from({ length: 40 }, () => {

@@ -157,6 +157,13 @@ export function describePrograms(settings: ProgramSettings): void {
     await expectGood(sceneOf(objects, MATERIALS, LIGHTS["lights of both kinds"]!, [1, 1, 1]), settings);
   });
 
+  test("a lens compiles without a warning, before lamps, meshes and alpha", async () => {
+    const m: Material = { alpha: 0.5, alphaMode: "blend" };
+    for (const scene of meshScenes(m)) {
+      await expectGood({ ...scene, camera: { ...scene.camera, aperture: 0.1 } }, settings);
+    }
+  });
+
   test.each(Object.keys(CROWDS))("%s compile without a warning", async (name) => {
     const { objects, lights } = CROWDS[name]!;
     await expectGood(sceneOf(objects, { m: {}, ...MATERIALS }, lights, [1, 1, 1]), settings);

@@ -10,6 +10,7 @@ const ALIGN_AND_SIZE: Readonly<Record<string, readonly [align: number, size: num
   f32: [4, 4],
   u32: [4, 4],
   vec2u: [8, 8],
+  vec2f: [8, 8],
   vec3u: [16, 12],
   vec3f: [16, 12],
   vec4f: [16, 16],

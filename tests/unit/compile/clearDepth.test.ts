@@ -1,7 +1,11 @@
 import { describe, expect, test } from "vitest";
 import { clearDepth } from "../../../src/compile/clearDepth";
 import type { Frustum } from "../../../src/compile/frustum";
+import type { ResolvedObject } from "../../../src/scene/schema";
 import type { Shape } from "../../../src/shapes/shapes";
+import { add, cross, meetings, scale, subtract } from "../../support/oracle";
+import { createRandom, randomDirection } from "../../support/random";
+import { unit } from "../../support/solids";
 
 // A camera 1000 in front of the origin; the image spans ±0.01.
 const VIEW: Frustum = { origin: [0, 0, 1000], forward: [0, 0, -1], right: [0.01, 0, 0], up: [0, 0.01, 0] };
@@ -99,4 +103,83 @@ describe("the depth in front of which a view is clear", () => {
     expect(clearDepth([BALL, plane([0, 0, 1000], [0, 0, 1])], VIEW)).toBe(0);
     expect(clearDepth([BALL, plane([0, 0, 1000], [0, 1, 0])], VIEW)).toBe(0);
   });
+});
+
+describe("no ray of a view meets anything in front of its clear depth, seed 5:", () => {
+  const random = createRandom(5);
+  const triple = (size: number) => scale(randomDirection(random), size * random());
+  const SHAPES: Readonly<Record<string, () => { shape: Shape; object: ResolvedObject }>> = {
+    sphere: () => {
+      const [center, radius] = [triple(6), 0.1 + 2 * random()];
+      return { shape: { kind: "sphere", center, radius }, object: { type: "sphere", center, radius, material: "m" } };
+    },
+    planet: () => {
+      const out = randomDirection(random);
+      const [radius, height] = [100 + 1e4 * random(), 6 * random()];
+      const center = scale(out, radius + height);
+      return { shape: { kind: "sphere", center, radius }, object: { type: "sphere", center, radius, material: "m" } };
+    },
+    plane: () => {
+      const [point, normal] = [triple(6), randomDirection(random)];
+      return { shape: plane(point, normal), object: { type: "plane", point, normal, material: "m" } };
+    },
+    quad: () => {
+      const [corner, edge1, edge2] = [triple(6), triple(9), triple(9)];
+      const normal = unit(cross(edge1, edge2));
+      return {
+        shape: { kind: "quad", corner, edge1, edge2, normal, axis: undefined },
+        object: { type: "quad", corner, edge1, edge2, material: "m" },
+      };
+    },
+  };
+
+  const VIEWS: Readonly<Record<string, () => Partial<Frustum>>> = {
+    pinhole: () => ({}),
+    lens: () => ({ lens: { radius: random(), focus: 0.2 + 8 * random() } }),
+    orthographic: () => ({ isOrthographic: true }),
+    "orthographic with a lens": () => ({
+      isOrthographic: true,
+      lens: { radius: random(), focus: 0.2 + 8 * random() },
+    }),
+  };
+
+  test.each(Object.keys(VIEWS).flatMap((view) => Object.keys(SHAPES).map((kind) => [view, kind] as const)))(
+    "%s, a %s",
+    (name, kind) => {
+      let [met, clear] = [0, 0];
+      for (let i = 0; i < 300; i++) {
+        const { shape, object } = SHAPES[kind]!();
+        const forward = randomDirection(random);
+        const side = unit(cross(forward, randomDirection(random)));
+        const kindOfView = VIEWS[name]!();
+        const most = kindOfView.isOrthographic ? 4 : 1;
+        const right = scale(side, 0.05 + most * random());
+        const up = scale(cross(side, forward), 0.05 + most * random());
+        const view: Frustum = { origin: triple(9), forward, right, up, ...kindOfView };
+        const depth = clearDepth([shape], view);
+        if (depth > 0) clear++;
+        for (let ray = 0; ray < 40; ray++) {
+          const { from, along } = rayOf(view, 2 * random() - 1, 2 * random() - 1);
+          const size = Math.hypot(...along);
+          const [first] = meetings([object], from, scale(along, 1 / size));
+          if (first === undefined) continue;
+          met++;
+          expect(first.t / size).toBeGreaterThanOrEqual(depth);
+        }
+      }
+      expect(met).toBeGreaterThan(100);
+      expect(clear).toBeGreaterThan(20);
+    },
+  );
+
+  /** A ray through (x, y) from some place of the lens, which advances by 1 along `forward`. */
+  function rayOf({ origin, forward, right, up, isOrthographic, lens }: Frustum, x: number, y: number) {
+    const offset = add(scale(right, x), scale(up, y));
+    const start = isOrthographic ? add(origin, offset) : origin;
+    const way = isOrthographic ? forward : add(forward, offset);
+    if (!lens) return { from: start, along: way };
+    const [turn, from] = [7 * random(), lens.radius * Math.sqrt(random())];
+    const place = add(scale(unit(right), from * Math.cos(turn)), scale(unit(up), from * Math.sin(turn)));
+    return { from: add(start, place), along: subtract(way, scale(place, 1 / lens.focus)) };
+  }
 });

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { type Emitter, emittersOf, emitterWindow, shareOf, type Window } from "../../../src/compile/emitterWindow";
-import type { Frustum } from "../../../src/compile/frustum";
+import type { Frustum, Lens } from "../../../src/compile/frustum";
 import { add, cross, dot, normalize, scale, subtract } from "../../../src/math/vec3";
 import type { Vec3 } from "../../../src/scene/schema";
 import { hullOf, type Shape } from "../../../src/shapes/shapes";
@@ -57,6 +57,22 @@ function project(point: Vec3, view: Frustum): [number, number] | undefined {
   return Math.abs(x) <= 1 && Math.abs(y) <= 1 ? [x, y] : undefined;
 }
 
+/** Where the picture shows a point to some place of the lens; undefined for outside of it. */
+function blurred(point: Vec3, view: Frustum & { readonly lens: Lens }): [number, number] | undefined {
+  const { origin, forward, right, up, isOrthographic, lens } = view;
+  const [turn, from] = [7 * random(), lens.radius * Math.sqrt(random())];
+  const place = add(scale(normalize(right), from * Math.cos(turn)), scale(normalize(up), from * Math.sin(turn)));
+  const toPoint = subtract(point, origin);
+  const depth = dot(toPoint, forward);
+  if (depth <= 0) return undefined;
+  // Rays from there to the plane of focus go through the point where they have come this far.
+  const share = depth / lens.focus;
+  const moved = subtract(toPoint, scale(place, 1 - share));
+  const size = isOrthographic ? 1 : depth;
+  const [x, y] = [right, up].map((axis) => dot(moved, axis) / (size * dot(axis, axis))) as [number, number];
+  return Math.abs(x) <= 1 && Math.abs(y) <= 1 ? [x, y] : undefined;
+}
+
 const contains = ([left, bottom, right, top]: Window, [x, y]: [number, number]) =>
   x >= left - 1e-9 && x <= right + 1e-9 && y >= bottom - 1e-9 && y <= top + 1e-9;
 
@@ -81,6 +97,51 @@ const FRONT: Frustum = { origin: [0, 0, 10], forward: [0, 0, -1], right: [0.5, 0
 test("a ball's window ends at its tangents", () => {
   const [, , right] = emitterWindow([{ ball: { center: [0, 0, 0], radius: 1 } }], FRONT);
   expect(right).toBeCloseTo(Math.tan(Math.asin(1 / 10)) / 0.5, 12);
+});
+
+describe.each(Object.keys(VISIBLE_EMITTERS))("through a lens the window of a %s, seed 21", (kind) => {
+  test.each([false, true])("holds every point of the picture that may show it, orthographic: %s", (isOrthographic) => {
+    let seen = 0;
+    for (let i = 0; i < VIEWS; i++) {
+      const { shape, point } = VISIBLE_EMITTERS[kind]!();
+      const view = { ...randomView(isOrthographic), lens: { radius: 0.5 * random(), focus: 0.2 + 8 * random() } };
+      const window = emitterWindow(emittersOf([shape]), view);
+      const points = Array.from({ length: POINTS }, () => blurred(point(), view)).filter((p) => p !== undefined);
+      seen += points.length;
+      expect(points.every((p) => contains(window, p))).toBe(true);
+    }
+    expect(seen).toBeGreaterThan(1000);
+  });
+});
+
+test("through a lens a window is wider by the blur, and not in the plane of focus", () => {
+  const view: Frustum = { ...FRONT, lens: { radius: 0.4, focus: 8 } };
+  const flat = (depth: number): Emitter => ({
+    points: [
+      [-1, -1, 10 - depth],
+      [1, 1, 10 - depth],
+    ],
+  });
+  for (const depth of [4, 8, 30]) {
+    const edge = (1 / depth + 0.4 * Math.abs(1 / depth - 1 / 8)) / 0.5;
+    expect(emitterWindow([flat(depth)], view)[2]).toBeCloseTo(edge, 5);
+  }
+  expect(shareOf(emitterWindow([flat(-1)], view))).toBe(0);
+  expect(
+    shareOf(
+      emitterWindow(
+        [
+          {
+            points: [
+              [0, 0, 10.1],
+              [0, 0, 9],
+            ],
+          },
+        ],
+        view,
+      ),
+    ),
+  ).toBe(1);
 });
 
 test("in an orthographic view a window is as large as what it holds, however far that is", () => {

@@ -85,6 +85,11 @@ describe("a program is the one that wesl-js links", () => {
     await expectSamePrograms(sceneOf(Object.values(PRIMITIVES), { m: material }, lights, [0, 0, 0]));
   });
 
+  test("for a lens", async () => {
+    const scene = loadReference("spheres").scene;
+    await expectSamePrograms({ ...scene, camera: { ...scene.camera, aperture: 0.1 } });
+  });
+
   test.each(Object.entries(CROWDS))("for %s", async (_name, { objects, lights }) => {
     await expectSamePrograms(sceneOf(objects, { m: {}, ...MATERIALS }, lights, [1, 1, 1]));
   });

@@ -3,7 +3,7 @@ import { parseCameraOrbit, placeOnOrbit } from "../../../src/element/cameraOrbit
 import type { ResolvedCamera } from "../../../src/scene/schema";
 
 const RAD = Math.PI / 180;
-const camera: ResolvedCamera = { position: [3, 5, 4], target: [0, 5, 0], up: [0, 1, 0], verticalFov: 45 };
+const camera: ResolvedCamera = { position: [3, 5, 4], target: [0, 5, 0], up: [0, 1, 0], verticalFov: 45, aperture: 0 };
 const AUTO = { azimuthRadians: undefined, elevationRadians: undefined, distance: undefined };
 
 const expectNear = (actual: readonly number[], wanted: readonly number[]) => {
@@ -62,7 +62,7 @@ describe("placeOnOrbit", () => {
     expectNear(placeOnOrbit(camera, { ...AUTO, distance: 10 }).position, [6, 5, 8]);
     const { position, ...others } = placeOnOrbit(camera, { ...AUTO, distance: 10 });
     expect(position).toHaveLength(3);
-    expect(others).toEqual({ target: camera.target, up: camera.up, verticalFov: 45 });
+    expect(others).toEqual({ target: camera.target, up: camera.up, verticalFov: 45, aperture: 0 });
   });
 
   it("stops short of the pole, where there is no horizon", () => {

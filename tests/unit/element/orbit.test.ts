@@ -3,8 +3,14 @@ import { vec3n } from "wgpu-matrix";
 import { orbitBy, panBy, zoomBy, zoomLimitsFor } from "../../../src/element/orbit";
 import type { ResolvedCamera } from "../../../src/scene/schema";
 
-const camera: ResolvedCamera = { position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 90 };
-const tilted: ResolvedCamera = { position: [1, 2, 3], target: [-2, 0.5, 1], up: [0.3, 1, -0.2], verticalFov: 40 };
+const camera: ResolvedCamera = { position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 90, aperture: 0 };
+const tilted: ResolvedCamera = {
+  position: [1, 2, 3],
+  target: [-2, 0.5, 1],
+  up: [0.3, 1, -0.2],
+  verticalFov: 40,
+  aperture: 0,
+};
 
 const distanceOf = ({ position, target }: ResolvedCamera) => vec3n.distance(position, target);
 const elevationOf = ({ position, target, up }: ResolvedCamera) =>

@@ -11,12 +11,9 @@ function fakeTracer() {
     shown,
     gates,
     camera: parseCamera({ position: [1, 2, 3] }),
-    setCamera(camera: Camera) {
-      this.camera = parseCamera(camera);
-    },
-    setScene(scene: Scene): Promise<void> {
+    setScene(scene: Scene, { camera = scene.camera }: { readonly camera?: Camera }): Promise<void> {
       shown.push(scene);
-      this.camera = parseCamera(scene.camera);
+      this.camera = parseCamera(camera);
       return new Promise((open, fail) => void gates.push({ open, fail }));
     },
   };

@@ -130,3 +130,26 @@ describe("an orthographic camera", () => {
     }
   });
 });
+
+describe("a lens", () => {
+  const lensOf = (fields: object, unitMetres = 1) =>
+    cameraBasis(parseCamera({ position: [0, 0, 5], ...fields }), [0, 0, 0], 1, unitMetres).lens;
+
+  test("is focused on the target, in units, or at the distance asked for", () => {
+    expect(lensOf({})).toBeUndefined();
+    expect(lensOf({ aperture: 0.1 })).toEqual({ radius: 0.1, focus: 5 });
+    expect(lensOf({ aperture: 0.1, focusDistance: 3 }, 0.25)).toEqual({ radius: 0.4, focus: 12 });
+  });
+
+  test("has finite rays, whatever its aperture and focus", () => {
+    for (const aperture of [1e-18, 1, 1e18]) {
+      for (const focusDistance of [1e-18, 1, 1e18]) {
+        for (const more of [{}, { orthographicHeight: 1e-3 }, { verticalFov: 1e-6 }]) {
+          const camera = parseCamera({ position: [0, 0, 5], aperture, focusDistance, ...more });
+          const { lens } = rayStart(cameraBasis(camera, [0, 0, 0], 1), []);
+          for (const value of lens) expect(Math.abs(value)).toBeLessThan(3e38);
+        }
+      }
+    }
+  });
+});

@@ -18,7 +18,7 @@ const SCENES = new URL("../../reference/scenes/", import.meta.url);
 describe("defaults", () => {
   test("a camera position and a list of objects are enough", () => {
     expect(parseScene(MINIMAL)).toEqual({
-      camera: { position: [0, 1, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 45 },
+      camera: { position: [0, 1, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 45, aperture: 0 },
       materials: {},
       textures: {},
       objects: [],
@@ -115,7 +115,7 @@ describe("what is accepted", () => {
   test("every kind of object and light", () => {
     const material = "m";
     const scene = {
-      camera: { position: [0, 0, 5], target: [1, 0, 0], up: [0, 0, 1], verticalFov: 90 },
+      camera: { position: [0, 0, 5], target: [1, 0, 0], up: [0, 0, 1], verticalFov: 90, aperture: 0 },
       materials: {
         m: {
           baseColor: [0, 0.5, 1],

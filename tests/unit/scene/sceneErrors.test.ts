@@ -148,6 +148,17 @@ describe("numbers", () => {
 });
 
 describe("camera", () => {
+  test("the lens has a radius ≥ 0, and its focus is before it", () => {
+    for (const aperture of [-1e-9, -1, Number.NaN, Number.POSITIVE_INFINITY]) {
+      expect(withCamera({ aperture })).toEqual([`camera.aperture: expected a finite number ≥ 0, got ${aperture}`]);
+    }
+    for (const focusDistance of [0, -1, Number.NaN, Number.POSITIVE_INFINITY]) {
+      const message = `camera.focusDistance: expected a finite number > 0, got ${focusDistance}`;
+      expect(withCamera({ focusDistance })).toEqual([message]);
+    }
+    expect(withCamera({ aperture: 0, focusDistance: 1e-6 })).toEqual([]);
+  });
+
   test.each([0, -3, Number.NaN, Number.POSITIVE_INFINITY, "3"])(
     "orthographicHeight is positive: %s",
     (orthographicHeight) => {
@@ -360,7 +371,7 @@ describe("unknown keys", () => {
 
   test("where nothing is close, the known keys are listed", () => {
     expect(withCamera({ fov: 45 })).toEqual([
-      'camera.fov: unknown key; the keys here are "position", "target", "up", "verticalFov", "orthographicHeight"',
+      'camera.fov: unknown key; the keys here are "position", "target", "up", "verticalFov", "orthographicHeight", "aperture", "focusDistance"',
     ]);
   });
 

@@ -14,7 +14,15 @@ const MESH = { type: "mesh", positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], indices: [0
 /** Every type, and every field. */
 const FULL_SCENE = {
   $schema: "../scene.schema.json",
-  camera: { position: [0, 1, 5], target: [0, 0, 0], up: [0, 1, 0], verticalFov: 45, orthographicHeight: 3 },
+  camera: {
+    position: [0, 1, 5],
+    target: [0, 0, 0],
+    up: [0, 1, 0],
+    verticalFov: 45,
+    orthographicHeight: 3,
+    aperture: 0.1,
+    focusDistance: 4,
+  },
   materials: {
     full: {
       baseColor: [1, 0.5, 0],
