@@ -103,6 +103,22 @@ describe("a floor", () => {
   });
 });
 
+test.each([false, true])("a floor shades what rays from below it see; constants: %s", async (constants) => {
+  // The lower half of the picture starts below the floor; there is a ball, which no light reaches.
+  const scene: Scene = {
+    camera: { position: [0, 0, 5], target: [0, 0, 0], orthographicHeight: 4 },
+    materials: { m: { ior: 1 }, black: { baseColor: [0, 0, 0], ior: 1 } },
+    objects: [
+      { type: "plane", point: [0, -0.1, 0], normal: [0, 1, 0], material: "black" },
+      { type: "sphere", center: [0, -1.2, 0], radius: 1, material },
+    ],
+    lights: [{ type: "point", position: [0, 3, 3], power: [100, 100, 100] }],
+    maxBounces: 1,
+  };
+  const { image } = await renderScene(scene, { size: [16, 16], samples: 16, settings: { constants } });
+  expect(image.every((value, i) => value === (i % 4 === 3 ? 1 : 0))).toBe(true);
+});
+
 describe("a lamp in view, seeds 1–4", () => {
   const scene: Scene = {
     camera: { position: [3, 2, 6], target: [0.2, 0.1, 0], orthographicHeight: 5 },
