@@ -48,6 +48,7 @@ export class Blockers {
     if (!flat) return true;
     const { point, normal } = flat;
     if (hullOf(shape) === undefined) {
+      if (!Number.isFinite(reach)) return true;
       const range = remembered(this.#ranges, id, () => rangeOf(this.#lights, point, normal));
       const side = dot(subtract(camera, point), normal);
       return !isOnOneSide({ least: Math.min(range.least, side - reach), most: Math.max(range.most, side + reach) });

@@ -16,15 +16,15 @@ const ground = plane({ point: [0, 0, 0], normal: [0, 1, 0], material });
 const lamp = sphereLight({ position: [0, 3, 0], radius: 0.5, power: [1, 1, 1] });
 
 /** Ids of the primitives that can block: the objects in order, then the sphere lights. */
-function blockersOf(objects: readonly SceneObject[], lights: readonly Light[], camera = CAMERA): number[] {
-  return blockersIn(parseScene(sceneOf(objects, lights)), camera);
+function blockersOf(objects: readonly SceneObject[], lights: readonly Light[], camera = CAMERA, reach = 0): number[] {
+  return blockersIn(parseScene(sceneOf(objects, lights)), camera, reach);
 }
 
-function blockersIn(scene: ReturnType<typeof parseScene>, camera: Vec3): number[] {
+function blockersIn(scene: ReturnType<typeof parseScene>, camera: Vec3, reach = 0): number[] {
   const primitives = primitivesOf(scene);
   const emitters = lightsOfScene(scene, primitives);
   const blockers = new Blockers(primitives, emitters);
-  return [...primitives.keys()].filter((id) => blockers.canBlock(id, subtract(camera, scene.camera.target)));
+  return [...primitives.keys()].filter((id) => blockers.canBlock(id, subtract(camera, scene.camera.target), reach));
 }
 
 describe("a quad or triangle", () => {
@@ -65,6 +65,13 @@ describe("an infinite plane", () => {
 
   test("blocks for a camera on its other side", () => {
     expect(blockersOf([ground], [lamp], [0, -1, 5])).toContain(0);
+  });
+
+  test("blocks for a camera whose rays may start on its other side", () => {
+    expect(blockersOf([ground], [lamp], CAMERA, 0.99)).not.toContain(0);
+    for (const reach of [1.01, Number.POSITIVE_INFINITY]) {
+      expect(blockersOf([ground], [lamp], CAMERA, reach)).toContain(0);
+    }
   });
 
   test("blocks a light that reaches through it", () => {
