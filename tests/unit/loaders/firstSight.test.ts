@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { firstSight, type Mesh } from "../../../src/loaders/firstSight";
+import { firstSight } from "../../../src/loaders/firstSight";
+import type { Mesh } from "../../../src/scene/meshes";
 import type { Camera } from "../../../src/scene/schema";
 
 /** A square across the z axis, from −1 to 1 along x and y. */
