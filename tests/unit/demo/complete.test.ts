@@ -22,7 +22,14 @@ const labels = (marked: string, explicit = true) =>
 
 describe("completeScene", () => {
   test("suggests the keys that are not there yet", () => {
-    expect(labels('{ "camera": { "position": [0, 0, 5], "|" } }')).toEqual(['"target"', '"up"', '"verticalFov"']);
+    expect(labels('{ "camera": { "position": [0, 0, 5], "|" } }')).toEqual([
+      '"target"',
+      '"up"',
+      '"verticalFov"',
+      '"orthographicHeight"',
+      '"aperture"',
+      '"focusDistance"',
+    ]);
     expect(labels('{ "camera": {}, | }')).toContain('"objects"');
   });
 
