@@ -1,6 +1,7 @@
 // Runs functions of the shader modules on the CPU, with every freedom that WGSL leaves to a device. It reads what straight-line
 // functions of f32, u32 and bool are made of: let, var, if, return, vectors, structs.
 
+import { link, parseModule } from "../../../src/compile/link";
 import { SHADER_MODULES } from "../shaderModules";
 import { type Choices, negated, nextAbove, Product, round, type Scalar, sum, value } from "./choices";
 
@@ -13,7 +14,8 @@ export type Run = (name: string, ...args: readonly Value[]) => Value;
  * @returns what calls their functions, making the given choices.
  */
 export function wgslFunctions(modules: readonly string[]): (choices: Choices) => Run {
-  const text = modules.map((module) => SHADER_MODULES[module] ?? module).join("\n");
+  // Of what is under conditions, that of a scene that needs nothing.
+  const text = modules.map((module) => linkAlone(SHADER_MODULES[module] ?? module)).join("\n");
   const parser = new Parser(text.replace(/\/\/.*/g, ""));
   const program = new Function("R", parser.program()) as (
     runtime: Runtime,
@@ -27,6 +29,11 @@ export function wgslFunctions(modules: readonly string[]): (choices: Choices) =>
 
 const TOKEN =
   /\s*(0x[\da-f.]+p[+-]?\d+|0x[\da-f]+u?|\d[\d.]*(?:e[+-]?\d+)?[uif]?|\w+|<<|[<>=!]=|->|&&|\|\||[-+*/]=|[^\s])/giy;
+
+function linkAlone(text: string): string {
+  const module = parseModule(text);
+  return link((path) => (path === "it" ? module : undefined), "it", {});
+}
 
 /** Translates WGSL to JavaScript in which every operation is a call of the runtime. */
 class Parser {
