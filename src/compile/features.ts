@@ -46,6 +46,8 @@ export function deriveFeatures(
       primitives.some(
         ({ shape }, id) => (familyOf(shape) === "triangles" || geometry.shapes.has(id)) && hasHolesAt(primitives, id),
       ),
+    // Some of it has a far side.
+    TREE_CLOSED: geometry?.treeShapes.some(({ shape }) => familyOf(shape) !== "flat") ?? false,
     TREE_SOLIDS: geometry?.treeShapes.some(({ shape }) => familyOf(shape) === "solid") ?? false,
     // Some mesh has normals.
     SMOOTH: isSmooth,
