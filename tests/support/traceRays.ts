@@ -13,7 +13,7 @@ export type Method = "ours" | "textbook";
 const TEXTBOOK: Readonly<Record<string, string>> = Object.fromEntries(
   Object.entries(
     import.meta.glob<string>("./textbook/**/*.wgsl", { query: "?raw", import: "default", eager: true }),
-  ).map(([path, text]) => [path.replace("./textbook/", "./"), text]),
+  ).map(([path, text]) => [path.slice("./textbook/".length, -".wgsl".length), text]),
 );
 
 /**
