@@ -10,10 +10,10 @@ import type { Features } from "./features";
  * - `materialOf(id)`: the lobes' columns of a primitive's material.
  * - `seenFrom(material, wo)`: with what depends on the direction to the viewer.
  * - `bsdfEval(bsdf, wo, wi)`: of the lobes that have a density.
- * - `bsdfSample(bsdf, wo, u, lobe)`: draws the lobe with `lobe`, the direction with `u`.
- * - `bsdfSampleUniform`, the baseline's choice: uniform over the hemisphere, whatever the surface reflects; only lobes of one
+ * - `bsdfSample(bsdf, wo, u, lobe)`: draws the lobe with `lobe`, the direction with `u`. Of the baseline estimator, in its place,
+ *   `bsdfSampleUniform`: uniform over the hemisphere, whatever the surface reflects; only lobes of one
  *   direction are followed exactly.
- * - `bsdfExpect(bsdf, wo, wi, size)`: about the mean of f·cos over a ball of light around wi of radius `size` at distance 1: to choose
+ * - `bsdfExpect(bsdf, wo, wi, size)`, where lights are chosen among: about the mean of f·cos over a ball of light around wi of radius `size` at distance 1: to choose
  *   lights by. 0 only where all of the ball is below the surface.
  */
 export function emitLobes(features: Features): string {
@@ -37,15 +37,15 @@ fn seenFrom(material: Bsdf, wo: vec3f) -> Bsdf {
   var bsdf = material;
 ${derived.map(([name, { from }]) => `  bsdf.${name} = ${from};\n`).join("")}${emitShares(lobes)}  return bsdf;
 }
-${emitValue(lobes)}
-${emitSamples(lobes)}`;
+${emitValue(lobes, features)}
+${emitSamples(lobes, features)}`;
 }
 
 type Drawn = {
   readonly name: string;
   readonly lobe: Lobe;
   /** WGSL expressions: the probability of the lobe, and whether `lobe` draws it, if it is not what is left. */
-  readonly share: string;
+  readonly probability: string;
   readonly condition?: string;
 };
 
@@ -58,10 +58,10 @@ function drawn([first, ...others]: ReturnType<typeof lobesIn>): Drawn[] {
     ...ordered.map(([name, lobe], i) => ({
       name,
       lobe,
-      share: shares[i]!,
+      probability: shares[i]!,
       condition: `lobe < ${shares.slice(0, i + 1).join(" + ")}`,
     })),
-    { name, lobe, share: ["1.0", ...shares].join(" - ") },
+    { name, lobe, probability: ["1.0", ...shares].join(" - ") },
   ];
 }
 
@@ -77,10 +77,10 @@ function emitShares(lobes: readonly Drawn[]): string {
 
 /** Lobes that have a density. */
 function spread(lobes: readonly Drawn[]) {
-  return lobes.flatMap(({ lobe, ...rest }) => ("value" in lobe ? { ...lobe, ...rest, probability: rest.share } : []));
+  return lobes.flatMap(({ lobe, ...rest }) => ("value" in lobe ? { ...lobe, ...rest } : []));
 }
 
-function emitValue(lobes: readonly Drawn[]): string {
+function emitValue(lobes: readonly Drawn[], { MANY_LIGHTS }: Features): string {
   // The last has what the others leave: added first, as it is in most scenes the only one.
   const dense = spread(lobes).reverse();
   const sums = dense.map(
@@ -94,7 +94,11 @@ fn bsdfEval(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> BsdfValue {
   var sum: BsdfValue;
 ${sums.join("")}  return aboveOnly(sum, at);
 }
+${MANY_LIGHTS ? emitExpectation(expected) : ""}`;
+}
 
+function emitExpectation(expected: string): string {
+  return `
 fn bsdfExpect(bsdf: Bsdf, wo: vec3f, wi: vec3f, size: f32) -> f32 {
   let cosI = lesser(greater(wi.z + size, 0.0), 1.0);
   return cosI${expected};
@@ -102,28 +106,30 @@ fn bsdfExpect(bsdf: Bsdf, wo: vec3f, wi: vec3f, size: f32) -> f32 {
 `;
 }
 
-function emitSamples(lobes: readonly Drawn[]): string {
-  const deltas = lobes.flatMap(({ lobe, share, condition }) => {
+function emitSamples(lobes: readonly Drawn[], { UNIFORM }: Features): string {
+  const deltas = lobes.flatMap(({ lobe, probability, condition }) => {
     if (!("delta" in lobe)) return [];
-    const sample = `let share = ${share}; return ${lobe.delta};`;
-    return { share, text: condition ? `  if (${condition}) { ${sample} }\n` : `  ${sample}\n` };
+    const sample = `let share = ${probability}; return ${lobe.delta};`;
+    return { probability, text: condition ? `  if (${condition}) { ${sample} }\n` : `  ${sample}\n` };
   });
   const followed = deltas.map(({ text }) => text).join("");
   const dense = spread(lobes).reverse();
   const [last, ...others] = dense;
-  const left = ["1.0", ...deltas.map(({ share }) => share)].join(" - ");
+  const left = ["1.0", ...deltas.map(({ probability }) => probability)].join(" - ");
   const picks = others.map(({ sample, condition }) => `  wi = select(wi, ${sample}, ${condition});\n`);
   const body = !last
     ? ""
     : lobes.length === 1 && last.alone
       ? `  return ${last.alone};\n`
       : `  var wi = ${last.sample};\n${picks.join("")}  return weighed(bsdf, wo, wi);\n`;
-  const uniform = last ? `  return uniformSample(bsdf, wo, u, ${left});\n` : "";
+  if (UNIFORM) {
+    return `
+fn bsdfSampleUniform(bsdf: Bsdf, wo: vec3f, u: vec2f, lobe: f32) -> BsdfSample {
+${followed}${last ? `  return uniformSample(bsdf, wo, u, ${left});\n` : ""}}
+`;
+  }
   return `
 fn bsdfSample(bsdf: Bsdf, wo: vec3f, u: vec2f, lobe: f32) -> BsdfSample {
 ${followed}${body}}
-
-fn bsdfSampleUniform(bsdf: Bsdf, wo: vec3f, u: vec2f, lobe: f32) -> BsdfSample {
-${followed}${uniform}}
 `;
 }

@@ -3,6 +3,7 @@
 import { dot, length, subtract } from "../math/vec3";
 import { type Mesh, meshesAmong } from "../scene/meshes";
 import type { Light, Material, Rgb, Scene, Texture, Vec3 } from "../scene/schema";
+import { emissionOf } from "../scene/shown";
 import { uvRows, wholeReference } from "../scene/textureReference";
 import { extentOf, twiceAreaAt } from "./bounds";
 import { firstSight, pointOf, type SeenPoint, type Uv } from "./firstSight";
@@ -105,10 +106,6 @@ function spreadWeights(n: number): Vec3 {
   const [u, v] = [(0.5 + n * 0.7548776662466927) % 1, (0.5 + n * 0.5698402909980532) % 1];
   const root = Math.sqrt(u);
   return [1 - root, root * (1 - v), root * v];
-}
-
-function emissionOf({ unlit, baseColor = [1, 1, 1], emission = [0, 0, 0] }: Material): Rgb {
-  return unlit ? baseColor : emission;
 }
 
 function hasTwoSides({ unlit = false, doubleSided = false }: Material): boolean {

@@ -1,7 +1,7 @@
-import type { ResolvedMaterial, Rgb } from "./schema";
+import type { Material, ResolvedMaterial, Rgb } from "./schema";
 
 /** Radiance of a surface: one that is unlit has the colour it should show. */
-export function emissionOf({ unlit, baseColor, emission }: ResolvedMaterial): Rgb {
+export function emissionOf({ unlit, baseColor = [1, 1, 1], emission = [0, 0, 0] }: Material): Rgb {
   return unlit ? baseColor : emission;
 }
 

@@ -5,6 +5,8 @@
 import package::constants::{INSIDE, NEAR};
 import package::minMax::{greater, lesser};
 import package::ray::{Ray, safeInverse};
+import package::scene::cutoffOf;
+import package::surfacePoint::primitiveOf;
 
 // Rounding of the slab distances can let a ray slip between two faces; widening the exit closes the gap. [2] eq. 4
 const SLAB_PADDING = 1.00000024;
@@ -51,8 +53,10 @@ fn boxNormal(ray: Ray, point: vec3f, center: vec3f, halfSize: vec3f, turn: vec2f
   // As in slabs(): a ray that starts on a face and meets the box goes through it.
   let isInside = (ray.source == (id | INSIDE)) | all(abs(turnBack(ray.o - center, turn)) <= halfSize);
   let leaving = turnBack(ray.d, turn) * local > vec3f(0.0);
-  @if(!ALPHA) let size = select(vec3f(0.0), abs(local), leaving == vec3<bool>(isInside));
-  @if(ALPHA) let size = abs(local); // rays may have passed the near side
+  let met = leaving == vec3<bool>(isInside);
+  @if(!ALPHA) let size = select(vec3f(0.0), abs(local), met);
+  // Rays may have passed the near side of a box with holes.
+  @if(ALPHA) let size = select(vec3f(0.0), abs(local), met | vec3<bool>(cutoffOf(primitiveOf(id)) != 0.0));
   let x = (size.x >= size.y) & (size.x >= size.z);
   let y = !x & (size.y >= size.z);
   return turnForth(sign(local) * vec3f(select(0.0, 1.0, x), select(0.0, 1.0, y), select(1.0, 0.0, x | y)), turn);

@@ -2,8 +2,8 @@
 //
 // [1] Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., section 6.8.4
 // [2] Keller et al. 2017, "The Iray Light Transport Simulation and Rendering System", appendix A.3
-// [4] Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II ch. 4
 // [3] Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2)
+// [4] Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II ch. 4
 import package::constants::NONE;
 import package::minMax::{greater, lesser};
 import package::ray::Ray;

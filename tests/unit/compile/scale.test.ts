@@ -121,7 +121,7 @@ describe("the largest crowds", { timeout: 60_000 }, () => {
   test("thirty-two thousand spheres in three materials are compiled, at rest too", async () => {
     const crowd = await prepared(CROWDS["spheres in three materials"]!(32_768));
     const compiled = compile(crowd).atRest(crowd.scene.camera);
-    expect(compiled.sceneModule.length).toBeLessThan(6000);
+    expect(compiled.sceneModule.length).toBeLessThan(5000);
     expect(compiled.shapes).toHaveLength(32_768);
   });
 

@@ -1,5 +1,6 @@
 import { Color, DoubleSide, MeshPhysicalMaterial } from "three";
 import type { ResolvedMaterial, Rgb } from "../../../../src/scene/schema";
+import { BLACK } from "../../../../src/scene/shown";
 
 /**
  * A material for three-gpu-pathtracer.
@@ -30,21 +31,7 @@ export function createMaterial(source: ResolvedMaterial): MeshPhysicalMaterial {
 
 /** Black, and emits the radiance. */
 export function createEmitter(radiance: Rgb): MeshPhysicalMaterial {
-  const black: ResolvedMaterial = {
-    baseColor: [0, 0, 0],
-    metallic: 0,
-    roughness: 0,
-    ior: 1,
-    emission: radiance,
-    masking: "smith",
-    multiscatter: false,
-    doubleSided: false,
-    unlit: false,
-    alpha: 1,
-    alphaMode: "opaque",
-    alphaCutoff: 0.5,
-    normalScale: 1,
-  };
+  const black = { ...BLACK, roughness: 0, emission: radiance };
   const material = createMaterial(black);
   material.emissive = toColor(radiance);
   return material;
