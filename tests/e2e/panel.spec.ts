@@ -40,13 +40,15 @@ test("turning up the exposure brightens the picture without starting over", asyn
   const viewer = await openViewer(page, ROOMY, 2);
   const canvas = viewer.locator("canvas");
   const floor: Area = [0.1, 0.8, 0.4, 0.95];
+  const samples = () => viewer.evaluate((element: RtViewerElement) => element.stats?.samples ?? 0);
   const before = meanColor(await pictureOf(canvas), floor);
   const exposure = viewer.locator(".tp-lblv", { hasText: "exposure" }).locator("input");
+  const samplesBefore = await samples();
   await exposure.fill("-3");
   await exposure.press("Enter");
   await expect(viewer).toHaveAttribute("exposure", "-3");
   await expect.poll(async () => meanColor(await pictureOf(canvas), floor)[1]).toBeLessThan(0.6 * before[1]);
-  await waitForSamples(viewer, 2);
+  expect(await samples()).toBeGreaterThanOrEqual(samplesBefore);
 });
 
 test("the knobs set the tracer and start the sampling over", async ({ page }) => {
@@ -250,10 +252,18 @@ test("the panel takes less than a millisecond of a frame", async ({ page }) => {
     return spent;
   });
   // Neighbours on the machine slow some of the frames: of three hundreds the quickest tells what the panel takes.
-  const hundreds = [0, 100, 200].map((start) => costs.slice(start, start + 100).sort((a, b) => a - b));
-  const quickest = hundreds.reduce((best, each) => (each[94]! < best[94]! ? each : best));
-  const at = (share: number) => Math.round(1000 * quickest[Math.floor(share * 99)]!) / 1000;
-  report("panelMs", { median: at(0.5), p95: at(0.95), most: at(1), frames: costs.length });
-  expect(at(0.5)).toBeLessThan(1);
-  expect(at(0.95)).toBeLessThanOrEqual(1);
+  const at = (share: number, of: readonly number[]) => {
+    const sorted = of.toSorted((a, b) => a - b);
+    return Math.round(1000 * sorted[Math.floor(share * (of.length - 1))]!) / 1000;
+  };
+  const hundreds = [0, 100, 200].map((start) => at(0.95, costs.slice(start, start + 100)));
+  report("panelMs", {
+    median: at(0.5, costs),
+    p95: at(0.95, costs),
+    most: at(1, costs),
+    hundreds,
+    frames: costs.length,
+  });
+  expect(at(0.5, costs)).toBeLessThan(1);
+  expect(Math.min(...hundreds)).toBeLessThanOrEqual(1);
 });
