@@ -47,8 +47,8 @@ struct MeshPoint {
   clearance: f32,
   // Interpolated and bent by a texture, unit, on n's side.
   @if(SHADING_NORMALS) shading: vec3f,
-  // Interpolated alone, unit, on n's side.
-  @if(SMOOTH) smoothN: vec3f,
+  // Interpolated alone, unit, on n's side, where a texture bends it.
+  @if(SMOOTH && NORMAL_TEXTURES) smoothN: vec3f,
   // From p to the smooth surface that the vertices' normals tell of, on the side of the ray's origin; zero where that is hollow. [4]
   @if(SMOOTH) lift: vec3f,
   // Interpolated.
@@ -93,7 +93,7 @@ fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
       let nb = vertexNormal(slot, 1u);
       let nc = vertexNormal(slot, 2u);
       shading = interpolatedNormal(weights.x * na + weights.y * nb + weights.z * nc, found.n);
-      found.smoothN = select(shading, -shading, dot(shading, found.n) < 0.0);
+      @if(NORMAL_TEXTURES) found.smoothN = select(shading, -shading, dot(shading, found.n) < 0.0);
       found.lift = weights.x * liftTo(side * dot(found.p - item.a, na), side * na) +
         weights.y * liftTo(side * dot(found.p - item.b, nb), side * nb) +
         weights.z * liftTo(side * dot(found.p - item.c, nc), side * nc);

@@ -22,8 +22,8 @@ struct Surface {
   frame: Frame,
   // Of the surface itself, on the viewer's side, where n may be an interpolated one.
   @if(SHADING_NORMALS) ng: vec3f,
-  // Of the smooth surface that a mesh stands for, likewise, and the way there.
-  @if(SMOOTH) smoothN: vec3f,
+  // Of the smooth surface that a mesh stands for, likewise, where textures bend n; and the way there.
+  @if(SMOOTH && NORMAL_TEXTURES) smoothN: vec3f,
   @if(SMOOTH) lift: vec3f,
   // Towards the viewer, in the local frame.
   wo: vec3f,
@@ -44,7 +44,7 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   @if(MESHES) surface.p += found.clearance * n;
   @if(SHADING_NORMALS) {
     surface.ng = n;
-    @if(SMOOTH) surface.smoothN = select(-found.smoothN, found.smoothN, found.front);
+    @if(SMOOTH && NORMAL_TEXTURES) surface.smoothN = select(-found.smoothN, found.smoothN, found.front);
     @if(SMOOTH) surface.lift = found.lift;
     let shading = select(-found.shading, found.shading, found.front);
     n = select(n, consistentNormal(shading, n, -ray.d), found.isTriangle);
@@ -74,7 +74,8 @@ fn leave(surface: Surface, wi: vec3f) -> Ray {
   @if(!SMOOTH) return makeRay(surface.p, wi, surface.source);
   @if(SMOOTH) {
     let flat = dot(surface.ng, wi);
-    let smooth_ = dot(surface.smoothN, wi);
+    @if(NORMAL_TEXTURES) let smooth_ = dot(surface.smoothN, wi);
+    @if(!NORMAL_TEXTURES) let smooth_ = dot(surface.frame.n, wi);
     let near = clamp(1.0 - flat / TERMINATOR, 0.0, 1.0);
     let amount = select(near, clamp(2.0 - (flat + smooth_) / TERMINATOR, 0.0, 1.0), smooth_ < TERMINATOR);
     // Below the triangle's horizon the triangle itself may be in the way.
@@ -86,7 +87,8 @@ fn leave(surface: Surface, wi: vec3f) -> Ray {
 @if(SHADING_NORMALS)
 fn leaves(surface: Surface, wi: vec3f) -> bool {
   @if(!SMOOTH) return dot(wi, surface.ng) > 0.0;
-  @if(SMOOTH) return dot(wi, surface.smoothN) > 0.0;
+  @if(SMOOTH && NORMAL_TEXTURES) return dot(wi, surface.smoothN) > 0.0;
+  @if(SMOOTH && !NORMAL_TEXTURES) return true; // no lobe sends light below n
 }
 
 // How a primitive scatters towards the viewer, at texture coordinates and with the colour of its vertices.

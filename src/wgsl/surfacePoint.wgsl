@@ -21,7 +21,7 @@ struct SurfacePoint {
   @if(MESHES) clearance: f32,
   // Of a triangle of a mesh: see MeshPoint.
   @if(SHADING_NORMALS) shading: vec3f,
-  @if(SMOOTH) smoothN: vec3f,
+  @if(SMOOTH && NORMAL_TEXTURES) smoothN: vec3f,
   @if(SMOOTH) lift: vec3f,
   @if(TEXTURES) uv: Uvs,
   // Of the vertices; white where they have none.
@@ -83,7 +83,7 @@ fn surfacePoint(ray: Ray, hit: Hit) -> SurfacePoint {
     found.clearance = triangle.clearance;
   }
   @if(SHADING_NORMALS && MESHES) found.shading = triangle.shading;
-  @if(SMOOTH) found.smoothN = select(n, triangle.smoothN, found.isTriangle);
+  @if(SMOOTH && NORMAL_TEXTURES) found.smoothN = select(n, triangle.smoothN, found.isTriangle);
   @if(SMOOTH) found.lift = triangle.lift;
   @if(TEXTURES && MESHES) found.uv = triangle.uv;
   @if(COLORS) found.color = select(vec4f(1.0), triangle.color, found.isTriangle);
