@@ -2,6 +2,7 @@
 
 import { describe, expect, test } from "vitest";
 import type { Material, Scene, SceneObject, Vec3 } from "../../src/scene/schema";
+import { cardScene } from "../support/card";
 import { renderScene, renderSeeds, seedsFrom } from "../support/device";
 
 const SIZE = 16;
@@ -63,22 +64,16 @@ describe.each(Object.entries(SHAPES))("a double-sided %s, seeds 1–8", (_name, 
 });
 
 describe("an unlit surface, seed 1", () => {
-  const scene = (card: Material, more: Partial<Scene> = {}): Scene => ({
-    camera: { position: [0, 0, 100], target: [0, 0, 0], verticalFov: (360 / Math.PI) * Math.atan(1 / 100) },
-    materials: { card: { ...card, unlit: true } },
-    objects: [
+  const scene = (card: Material, more: Partial<Scene> = {}) =>
+    cardScene(
+      { ...card, unlit: true },
+      { uvs: [0, 1, 1, 1, 1, 0, 0, 0] },
       {
-        type: "mesh",
-        positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0],
-        indices: [0, 1, 2, 0, 2, 3],
-        uvs: [0, 1, 1, 1, 1, 0, 0, 0],
-        material: "card",
+        lights: [{ type: "point", position: [0, 0, 3], power: [500, 500, 500] }],
+        environment: { radiance: [1, 2, 3] },
+        ...more,
       },
-    ],
-    lights: [{ type: "point", position: [0, 0, 3], power: [500, 500, 500] }],
-    environment: { radiance: [1, 2, 3] },
-    ...more,
-  });
+    );
   const colors = async (shown: Scene) => {
     const { image } = await renderScene(shown, { size: [SIZE, SIZE], samples: 16 });
     return [4, 12].map((x) =>

@@ -3,6 +3,7 @@
 import { describe, expect, test } from "vitest";
 import { PathTracer } from "../../../src/renderer/pathTracer";
 import type { Material, Scene, Texture } from "../../../src/scene/schema";
+import { cardScene } from "../../support/card";
 import { renderScene, testDevice } from "../../support/device";
 
 type Uv = readonly [number, number];
@@ -36,22 +37,7 @@ function square(
   sets: readonly ((x: number, y: number) => Uv)[] = SETS,
 ): Scene {
   const [uvs, uvs1] = sets.map((set) => CORNERS.flatMap(([x, y]) => set(x, y)));
-  return {
-    camera: { position: [0, 0, 100], target: [0, 0, 0], verticalFov: (360 / Math.PI) * Math.atan(1 / 100) },
-    textures,
-    materials: { m: { ior: 1, ...material } },
-    objects: [
-      {
-        type: "mesh",
-        positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0],
-        indices: [0, 1, 2, 0, 2, 3],
-        uvs: uvs!,
-        ...(uvs1 && { uvs1 }),
-        material: "m",
-      },
-    ],
-    maxBounces: 0,
-  };
+  return cardScene(material, { uvs: uvs!, ...(uvs1 && { uvs1 }) }, { textures, maxBounces: 0 });
 }
 
 /** Pictures of scenes that have one program. */

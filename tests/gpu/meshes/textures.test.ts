@@ -1,27 +1,14 @@
 import { describe, expect, test } from "vitest";
 import type { Material, Scene, Texture } from "../../../src/scene/schema";
+import { cardScene, WHITE_SKY } from "../../support/card";
 import { renderScene } from "../../support/device";
 
 const SIZE = 33; // odd: there is a pixel in the middle
 
-/** A quad of 2 × 2 that fills the picture, with texture coordinates from `from` to `to`, v downwards. */
+/** A square that fills the picture under a white sky, with texture coordinates from `from` to `to`, v downwards. */
 function quadScene(material: Material, textures: Readonly<Record<string, Texture>>, from = 0, to = 1): Scene {
-  return {
-    camera: { position: [0, 0, 100], target: [0, 0, 0], verticalFov: (360 / Math.PI) * Math.atan(1 / 100) },
-    textures,
-    materials: { m: { ior: 1, ...material } },
-    objects: [
-      {
-        type: "mesh",
-        positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0],
-        indices: [0, 1, 2, 0, 2, 3],
-        uvs: [from, to, to, to, to, from, from, from],
-        material: "m",
-      },
-    ],
-    environment: { radiance: [1, 1, 1] },
-    maxBounces: 1,
-  };
+  const uvs = [from, to, to, to, to, from, from, from];
+  return cardScene(material, { uvs }, { textures, ...WHITE_SKY });
 }
 
 const texel = (...rgb: readonly number[]) => [...rgb, 255];

@@ -1,32 +1,16 @@
 // What vertices have beside their places: colours and tangents.
 
 import { describe, expect, test } from "vitest";
+import type { Mesh } from "../../../src/scene/meshes";
 import type { Material, Scene, SceneObject, Vec3 } from "../../../src/scene/schema";
+import { cardScene, WHITE_SKY } from "../../support/card";
 import { renderScene } from "../../support/device";
 
 const SIZE = 33; // odd: there is a pixel in the middle
 
-type Mesh = SceneObject & { type: "mesh" };
-
-/** A quad of 2 × 2 that fills the picture, bottom left corner first, under a white sky. */
-function quadScene(material: Material, mesh: Partial<Mesh>, more: Partial<Scene> = {}): Scene {
-  return {
-    camera: { position: [0, 0, 100], target: [0, 0, 0], verticalFov: (360 / Math.PI) * Math.atan(1 / 100) },
-    materials: { m: { ior: 1, ...material } },
-    objects: [
-      {
-        type: "mesh",
-        positions: [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0],
-        indices: [0, 1, 2, 0, 2, 3],
-        material: "m",
-        ...mesh,
-      },
-    ],
-    environment: { radiance: [1, 1, 1] },
-    maxBounces: 1,
-    ...more,
-  };
-}
+/** A square that fills the picture, under a white sky. */
+const quadScene = (material: Material, mesh: Partial<Mesh>, more: Partial<Scene> = {}) =>
+  cardScene(material, mesh, { ...WHITE_SKY, ...more });
 
 async function shown(scene: Scene, x = 0.5, y = 0.5): Promise<number[]> {
   const { image } = await renderScene(scene, { size: [SIZE, SIZE], samples: 64 });
