@@ -4,7 +4,7 @@
 //     package::shapes::box::boxIntersect      the same by its full name
 //     @if(MESHES && !SMOOTH)                  before a declaration, a member of a struct, a statement or a block
 //
-// wesl-js does all of WESL. It would be more than a quarter of what a page downloads, and takes three to five times as long. The
+// wesl-js does all of WESL. It would be more than a quarter of what a page downloads, and takes three times as long. The
 // tests have it: this has to link what it links.
 
 export type Conditions = Readonly<Record<string, boolean>>;
