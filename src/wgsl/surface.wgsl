@@ -78,8 +78,9 @@ fn leave(surface: Surface, wi: vec3f) -> Ray {
     @if(!NORMAL_TEXTURES) let smooth_ = dot(surface.frame.n, wi);
     let near = clamp(1.0 - flat / TERMINATOR, 0.0, 1.0);
     let amount = select(near, clamp(2.0 - (flat + smooth_) / TERMINATOR, 0.0, 1.0), smooth_ < TERMINATOR);
-    // Below the triangle's horizon the triangle itself may be in the way.
-    return makeRay(surface.p + amount * surface.lift, wi, select(NONE, surface.source, flat > 0.0));
+    // Below the triangle's horizon the triangle itself may be in the way. Where there is one horizon only, rounding alone puts wi below.
+    let isAbove = flat > 0.0 || flat == smooth_;
+    return makeRay(surface.p + amount * surface.lift, wi, select(NONE, surface.source, isAbove));
   }
 }
 
