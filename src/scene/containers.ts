@@ -10,7 +10,7 @@
 import * as v from "valibot";
 import { oneOf, show, suggest } from "./describe";
 import { Report } from "./report";
-import { hasShape } from "./shape";
+import { hasShape, shapeOf } from "./shape";
 
 /** Entries of a list of objects or lights. A scene of these takes gigabytes; an array can claim four thousand times as many. */
 const MAX_ENTRIES = 2 ** 20;
@@ -52,6 +52,14 @@ export function strictObject<const Entries extends v.ObjectEntries>(
     }),
     hasShape({ kind: "object", entries }),
   );
+}
+
+/** What an object of a schema is without any of its fields; of one whose fields may all be absent. */
+export function defaultsOf<Output>(schema: v.GenericSchema<object, Output>): Output {
+  const shape = shapeOf(schema);
+  const entries = shape?.kind === "object" ? Object.entries(shape.entries) : [];
+  const fields = entries.map(([name, entry]) => [name, v.getDefault(entry as v.GenericSchema)] as const);
+  return Object.fromEntries(fields.filter(([, value]) => value !== undefined)) as Output;
 }
 
 /** An object whose `type` has been read. */

@@ -10,6 +10,19 @@ export const TEXTURE_FIELDS = [
   "metallicRoughnessTexture",
   "emissionTexture",
   "normalTexture",
+  "transmissionTexture",
+  "diffuseTransmissionTexture",
+  "diffuseTransmissionColorTexture",
+  "specularTexture",
+  "specularColorTexture",
+  "clearcoatTexture",
+  "clearcoatRoughnessTexture",
+  "clearcoatNormalTexture",
+  "sheenColorTexture",
+  "sheenRoughnessTexture",
+  "anisotropyTexture",
+  "iridescenceTexture",
+  "iridescenceThicknessTexture",
 ] as const;
 export type TextureField = (typeof TEXTURE_FIELDS)[number];
 

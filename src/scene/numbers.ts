@@ -27,6 +27,8 @@ const BYTE: Rule = { expected: "an integer from 0 to 255", min: 0, max: 255, isI
 export const finite = number(ANY);
 /** From 1e-18 to 1e18: sizes. */
 export const positive = number(POSITIVE);
+/** A finite number ≥ 0. */
+export const nonNegative = number(NON_NEGATIVE);
 /** From 0 to 1. */
 export const fraction = number(FRACTION);
 

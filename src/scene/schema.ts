@@ -3,8 +3,9 @@
 // Right-handed, Y up, metres; colours are linear Rec. 709; angles are in degrees.
 
 import * as v from "valibot";
-import { byType, dictionary, list, strictObject, stringOr, triple } from "./containers";
-import { oneOf, show, suggest } from "./describe";
+import { byType, dictionary, list, strictObject, triple } from "./containers";
+import { show } from "./describe";
+import { MaterialSchema, type textureReference } from "./materialSchema";
 import { checkNames } from "./names";
 import {
   bytes,
@@ -12,17 +13,16 @@ import {
   direction,
   finite,
   floats,
-  fraction,
   fractions,
   indices,
   light,
+  nonNegative,
   numberThat,
   positive,
-  reflectance,
   sizes,
-  vec2,
   vec3,
 } from "./numbers";
+import { choice } from "./words";
 
 /** A point or a direction, `[x, y, z]`. */
 export type Vec3 = readonly [number, number, number];
@@ -53,7 +53,7 @@ export const CameraSchema = strictObject(
      */
     orthographicHeight: v.optional(positive),
     /** Radius of the lens, in metres. 0 is a pinhole: all is sharp. */
-    aperture: v.optional(numberThat("a finite number ≥ 0", { min: 0 }), 0),
+    aperture: v.optional(nonNegative, 0),
     /** From the position to the plane across the view in which all is sharp, in metres. Default: the target lies in it. */
     focusDistance: v.optional(positive),
   },
@@ -67,86 +67,8 @@ export const CameraSchema = strictObject(
   },
 );
 
-const MASKINGS = ["smith", "schlick-beckmann"] as const;
-const ALPHA_MODES = ["opaque", "mask", "blend"] as const;
 const WRAPS = ["repeat", "mirror", "clamp"] as const;
 const FILTERS = ["linear", "nearest"] as const;
-
-/** True or false, by default false. */
-const flag = v.optional(
-  v.boolean((issue) => `expected true or false, got ${show(issue.input)}`),
-  false,
-);
-
-/** One of the scene's textures and how it lies on a surface. A name alone is the first set of texture coordinates as it is. */
-export const TextureReferenceSchema = strictObject({
-  /** Name of the texture. */
-  texture: v.string((issue) => `expected the name of a texture, got ${show(issue.input)}`),
-  /** Which texture coordinates it is looked up with: 0 is the mesh's `uvs`, 1 its `uvs1`. They are scaled, then turned, then moved. */
-  uv: v.optional(
-    v.picklist([0, 1], (issue) => `expected 0 or 1, got ${show(issue.input)}`),
-    0,
-  ),
-  /** Added to u and v, last. */
-  offset: v.optional(vec2, [0, 0]),
-  /** Multiplies u and v, first: with 2 the texture is there twice. */
-  scale: v.optional(vec2, [1, 1]),
-  /** Degrees around (0, 0), counter-clockwise where v points down (KHR_texture_transform). */
-  rotation: v.optional(finite, 0),
-});
-
-/** A texture by its name, or with its place. */
-const textureReference = stringOr(TextureReferenceSchema, "the name of a texture or an object with one");
-
-/** A surface as in glTF 2.0: metallic-roughness. */
-export const MaterialSchema = strictObject(
-  {
-    /** Albedo of a dielectric, reflectance at normal incidence of a metal; each component from 0 to 1. */
-    baseColor: v.optional(reflectance, [1, 1, 1]),
-    /** From 0 (dielectric) to 1 (metal). */
-    metallic: v.optional(fraction, 0),
-    /** From 0 (a perfect mirror) to 1; the microfacet α is its square. */
-    roughness: v.optional(fraction, 1),
-    /** Index of refraction, ≥ 1, of the dielectric part; 1 has no highlight. */
-    ior: v.optional(numberThat("a finite number ≥ 1", { min: 1 }), 1.5),
-    /** Radiance in W·sr⁻¹·m⁻², from the front side only, or from both if `doubleSided`. */
-    emission: v.optional(light, [0, 0, 0]),
-    /** Whether the back emits too. Both sides reflect anyway. */
-    doubleSided: flag,
-    /** Whether it shows its colour, whatever the light: it reflects nothing, and emits `baseColor` from both sides. */
-    unlit: flag,
-    /** The masking function of the microfacets: height-correlated Smith, or Schlick's product form. */
-    masking: choice(MASKINGS, "smith"),
-    /**
-     * Gives a rough metal back the light that its microfacets reflect more than once, which glTF drops: with α = 1 and seen
-     * from above, 69 % of it. A white metal is then white, to within 1 %, however rough. Costs 0.3 % of the
-     * speed of a scene of such metals. In proportion to `metallic`; a dielectric stays as glTF has it. Needs masking "smith".
-     * Not reciprocal (Turquin 2019).
-     */
-    multiscatter: flag,
-    /** How much of the surface is there, from 0 to 1, if `alphaMode` is not `"opaque"`. Surfaces with holes emit, but no light is sampled on them. */
-    alpha: v.optional(fraction, 1),
-    /** `"mask"`: it is there where alpha is `alphaCutoff` or more. `"blend"`: alpha of the light meets it, and the rest passes. */
-    alphaMode: choice(ALPHA_MODES, "opaque"),
-    /** Of a mask, ≥ 0. */
-    alphaCutoff: v.optional(numberThat("a finite number ≥ 0", { min: 0 }), 0.5),
-    /** The texture whose colour, sRGB, multiplies `baseColor`, and whose alpha multiplies `alpha`. Textures show on meshes that have `uvs`. */
-    baseColorTexture: v.optional(textureReference),
-    /** The texture whose green multiplies `roughness` and whose blue multiplies `metallic`; linear. */
-    metallicRoughnessTexture: v.optional(textureReference),
-    /** The texture whose colour, sRGB, multiplies `emission`. */
-    emissionTexture: v.optional(textureReference),
-    /** The texture that bends the normal: 0…255 is −1…1 along tangent, bitangent and normal; linear. */
-    normalTexture: v.optional(textureReference),
-    /** How far along the surface `normalTexture` bends the normal. */
-    normalScale: v.optional(finite, 1),
-  },
-  ({ masking, multiscatter }, addIssue) => {
-    if (multiscatter && masking === "schlick-beckmann") {
-      addIssue(["multiscatter"], 'expected false with masking "schlick-beckmann", got true; use masking "smith"');
-    }
-  },
-);
 
 /** The name of one of the scene's materials. */
 const materialName = v.string((issue) => `expected the name of a material, got ${show(issue.input)}`);
@@ -350,6 +272,7 @@ export const SceneSchema = v.pipe(
   v.transform(({ $schema, ...scene }) => scene),
 );
 
+export { MaterialSchema, TextureReferenceSchema } from "./materialSchema";
 export { TEXTURE_FIELDS, type TextureField } from "./names";
 
 /** What users write: everything that has a default is optional. */
@@ -377,13 +300,6 @@ export type ResolvedMaterial = v.InferOutput<typeof MaterialSchema>;
 export type ResolvedTexture = v.InferOutput<typeof TextureSchema>;
 export type ResolvedObject = v.InferOutput<typeof ObjectSchema>;
 export type ResolvedLight = v.InferOutput<typeof LightSchema>;
-
-/** One of several words, the first by default. */
-function choice<const Word extends string>(words: readonly Word[], initial: NoInfer<Word>) {
-  const expected = oneOf(words);
-  const picklist = v.picklist(words, ({ input }) => `expected ${expected}, got ${show(input)}${suggest(input, words)}`);
-  return v.optional(picklist, initial);
-}
 
 function subtract(a: Vec3, b: Vec3): Vec3 {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];

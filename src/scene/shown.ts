@@ -1,4 +1,5 @@
-import type { Material, ResolvedMaterial, Rgb } from "./schema";
+import { defaultsOf } from "./containers";
+import { type Material, MaterialSchema, type ResolvedMaterial, type Rgb } from "./schema";
 
 /** Radiance of a surface: one that is unlit has the colour it should show. */
 export function emissionOf({ unlit, baseColor = [1, 1, 1], emission = [0, 0, 0] }: Material): Rgb {
@@ -20,18 +21,4 @@ export function shown(material: ResolvedMaterial): ResolvedMaterial {
 }
 
 /** Reflects nothing. */
-export const BLACK: ResolvedMaterial = {
-  baseColor: [0, 0, 0],
-  metallic: 0,
-  roughness: 1,
-  ior: 1,
-  emission: [0, 0, 0],
-  doubleSided: false,
-  unlit: false,
-  masking: "smith",
-  multiscatter: false,
-  alpha: 1,
-  alphaMode: "opaque",
-  alphaCutoff: 0.5,
-  normalScale: 1,
-};
+export const BLACK: ResolvedMaterial = { ...defaultsOf(MaterialSchema), baseColor: [0, 0, 0], ior: 1 };

@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, expectTypeOf, test } from "vitest";
+import { defaultsOf } from "../../../src/scene/containers";
 import { parseScene } from "../../../src/scene/parseScene";
 import type {
   ResolvedMaterial,
@@ -10,6 +11,7 @@ import type {
   SceneObject,
   Vec3,
 } from "../../../src/scene/schema";
+import { MaterialSchema } from "../../../src/scene/schema";
 
 const MINIMAL: Scene = { camera: { position: [0, 1, 5] }, objects: [] };
 
@@ -43,6 +45,25 @@ describe("defaults", () => {
       doubleSided: false,
       unlit: false,
       normalScale: 1,
+      transmission: 0,
+      thickness: 0,
+      attenuationColor: [1, 1, 1],
+      dispersion: 0,
+      diffuseTransmission: 0,
+      diffuseTransmissionColor: [1, 1, 1],
+      specular: 1,
+      specularColor: [1, 1, 1],
+      clearcoat: 0,
+      clearcoatRoughness: 0,
+      clearcoatNormalScale: 1,
+      sheenColor: [0, 0, 0],
+      sheenRoughness: 0,
+      anisotropy: 0,
+      anisotropyRotation: 0,
+      iridescence: 0,
+      iridescenceIor: 1.3,
+      iridescenceThickness: 400,
+      iridescenceThicknessMinimum: 100,
     });
   });
 
@@ -118,18 +139,13 @@ describe("what is accepted", () => {
       camera: { position: [0, 0, 5], target: [1, 0, 0], up: [0, 0, 1], verticalFov: 90, aperture: 0 },
       materials: {
         m: {
+          ...defaultsOf(MaterialSchema),
           baseColor: [0, 0.5, 1],
           metallic: 1,
           roughness: 0,
           ior: 1,
           emission: [9, 0, 0],
-          masking: "smith",
           multiscatter: true,
-          alpha: 1,
-          alphaMode: "opaque",
-          alphaCutoff: 0.5,
-          doubleSided: false,
-          unlit: false,
           normalScale: 2,
         },
       },
@@ -271,8 +287,8 @@ describe("types", () => {
     expectTypeOf<{ objects: [] }>().not.toExtend<Scene>();
     expectTypeOf<{ camera: { position: [0, 0, 5] } }>().not.toExtend<Scene>();
     expectTypeOf<ResolvedScene["maxBounces"]>().toEqualTypeOf<number>();
-    type Untextured = Omit<ResolvedMaterial, `${string}Texture`>;
-    expectTypeOf<Required<Untextured>>().toEqualTypeOf<Untextured>();
+    type Filled = Omit<ResolvedMaterial, `${string}Texture` | "attenuationDistance">;
+    expectTypeOf<Filled>().toExtend<Required<Filled>>();
   });
 
   test("a resolved scene is a scene, and one written as const too", () => {

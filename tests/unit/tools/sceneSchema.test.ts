@@ -4,6 +4,7 @@ import * as v from "valibot";
 import { beforeAll, describe, expect, test } from "vitest";
 import type { SceneError } from "../../../src/errors";
 import { parseScene } from "../../../src/scene/parseScene";
+import { TEXTURE_FIELDS } from "../../../src/scene/schema";
 import { type JsonSchema, toJsonSchema } from "../../../tools/jsonSchema";
 import { createSceneSchema } from "../../../tools/sceneSchema";
 
@@ -37,11 +38,14 @@ const FULL_SCENE = {
       alphaCutoff: 0.25,
       masking: "smith",
       multiscatter: true,
-      baseColorTexture: "dot",
-      metallicRoughnessTexture: "dot",
-      emissionTexture: { texture: "dot", uv: 1, offset: [0.5, 0], scale: [2, -1], rotation: 30 },
-      normalTexture: "dot",
       normalScale: -1,
+      ...{ transmission: 0.5, thickness: 0.01, attenuationColor: [1, 0.5, 0], attenuationDistance: 2, dispersion: 0.4 },
+      ...{ diffuseTransmission: 0.5, diffuseTransmissionColor: [0, 1, 0], specular: 0.5, specularColor: [2, 1, 0] },
+      ...{ clearcoat: 0.5, clearcoatRoughness: 0.25, clearcoatNormalScale: -1 },
+      ...{ sheenColor: [1, 0, 0.5], sheenRoughness: 0.5, anisotropy: 0.5, anisotropyRotation: -30 },
+      ...{ iridescence: 1, iridescenceIor: 1.8, iridescenceThickness: 500, iridescenceThicknessMinimum: 0 },
+      ...Object.fromEntries(TEXTURE_FIELDS.map((field) => [field, "dot"])),
+      emissionTexture: { texture: "dot", uv: 1, offset: [0.5, 0], scale: [2, -1], rotation: 30 },
     },
     plain: {},
   },
