@@ -9,6 +9,7 @@ import { emitLightChoice, emitLightSamplers } from "./emitLights";
 import { emitLobes } from "./emitLobes";
 import { emitRowStruct } from "./emitLoops";
 import { emitShapes } from "./emitShapes";
+import { rareTextures } from "./factors";
 import type { Features } from "./features";
 import { LIGHT } from "./layouts";
 import type { Tables } from "./packScene";
@@ -47,12 +48,12 @@ export function emitScene(
 
   return `
 import package::lights::light::{Light, LightChoice, LightSample, flatLightShare, lightShare};
-import package::lobes::lobe::{BsdfSample, BsdfValue, aboveOnly, directions, uniformSample, weighed};
+import package::lobes::lobe::{BsdfSample, BsdfValue, aboveOnly, directions, exactDirections, onSides, uniformSample, weighed};
 import package::minMax::{greater, lesser};
 import package::coverage::{betweenPart, nearerPart};
 import package::ray::{Hit, Ray, between, innerRay, nearer, noHit};
 import package::surface::Surface;
-import package::textures::{Factors, Texture};
+import package::textures::Texture;
 import package::shapes::triangle::{Shear, shearOf};
 import package::tree::{Item, itemAt, treeClosest, treeOccludes};
 
@@ -68,9 +69,9 @@ ${shapes}
 fn environment() -> vec3f {
   return scene.environment[0].rgb;
 }
-${features.VERTICES ? TEXTURE_LOOKUPS : ""}${emitVertexLayout(features, geometry)}
+${tables.ofTextures ? `${emitFactors(tables.ofTextures)}${TEXTURE_LOOKUPS}` : ""}${emitVertexLayout(features, geometry)}
 ${emitLookups(tables, values)}
-${emitLobes(features)}${emitLightSamplers(lights, features)}
+${emitLobes(features, rareTextures(primitives))}${emitLightSamplers(lights, features)}
 ${lightChoice}`;
 }
 
@@ -87,6 +88,13 @@ function emitVertexLayout({ UV_TRANSFORMS }: Features, geometry: Geometry | unde
   const { stride, colors = 0, tangents = 0, uvs1 = 0 } = geometry.vertexLayout;
   const second = UV_TRANSFORMS ? `const UVS1_AT = ${uvs1}u;\n` : "";
   return `const VERTEX_STRIDE = ${stride}u;\nconst COLOR_AT = ${colors}u;\nconst TANGENT_AT = ${tangents}u;\n${second}`;
+}
+
+/** The struct of a row: see `factors.ts`. */
+function emitFactors({ factorsLayout }: NonNullable<Tables["ofTextures"]>): string {
+  return `
+// What the textures of a primitive multiply, and which they are: NONE for none.
+${emitStruct("Factors", factorsLayout)}`;
 }
 
 const TEXTURE_LOOKUPS = `

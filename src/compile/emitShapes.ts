@@ -43,7 +43,8 @@ export function emitShapes(
   const blockers = emitted.map(({ id, distance }) => {
     const isTarget = sampled.has(id);
     if (isTarget && lights.length === 1) return ""; // a light never hides itself
-    if (!blocks(id)) return "";
+    // What can't come between two points of the scene may be passed on the way out of it.
+    if (!blocks(id) && !isPart(id)) return "";
     const other = isTarget ? ` & (target_ != ${id}u)` : "";
     const block = (ray: string) => `blocked |= between${part(id)}(${distance}, distance, ${id}u, ${ray})${other};`;
     return `  ${block("ray")}\n${farSide(id, distance, block("outer"))}`;

@@ -5,6 +5,7 @@ import { TEXTURE_FIELDS, type TextureField } from "../scene/schema";
 import { isPlain } from "../scene/textureReference";
 import { hullOf, kindOf, type Shape } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
+import { rareTextures } from "./factors";
 import { isEmissive, type Primitive } from "./primitives";
 
 /** Which estimator and sampler to compile; the settings that shape the program. */
@@ -41,7 +42,7 @@ export function deriveFeatures(
     TREE: geometry !== undefined,
     MESHES: geometry !== undefined && geometry.parts.length > 0,
     // Some of it has holes.
-    TREE_ALPHA:
+    TREE_HOLES:
       geometry !== undefined &&
       primitives.some(
         ({ shape }, id) => (familyOf(shape) === "triangles" || geometry.shapes.has(id)) && hasHolesAt(primitives, id),
@@ -60,6 +61,9 @@ export function deriveFeatures(
     VERTICES: COLORS || TEXTURE_FIELDS.some(hasTexture),
     UNLIT_COLORS: COLORS && materials.some(({ unlit }) => unlit),
     SURFACE_TEXTURES: hasTexture("baseColorTexture") || hasTexture("metallicRoughnessTexture"),
+    // Textures of glTF's extensions.
+    LOBE_TEXTURES: rareTextures(primitives).length > 0,
+    SPECULAR_TEXTURES: hasTexture("specularTexture") || hasTexture("specularColorTexture"),
     EMISSION_TEXTURES: hasTexture("emissionTexture"),
     NORMAL_TEXTURES,
     // Some texture is looked up with other coordinates than the first of its mesh as they are.

@@ -19,18 +19,6 @@ export const UNBOUNDED = defineStruct({
   direction: "vec3f",
 });
 
-/** What a primitive's textures multiply: `Factors` in `wgsl/textures.wgsl`. */
-export const FACTORS = defineStruct({
-  baseColor: "vec3f",
-  metallic: "f32",
-  roughness: "f32",
-  normalScale: "f32",
-  baseColorTexture: "u32",
-  metallicRoughnessTexture: "u32",
-  emissionTexture: "u32",
-  normalTexture: "u32",
-});
-
 const LOOK = { place: "vec3u", wrapU: "u32", wrapV: "u32", nearest: "u32" } as const;
 /** One texture: `Texture` in `wgsl/textures.wgsl`. */
 export const TEXTURE = defineStruct(LOOK);

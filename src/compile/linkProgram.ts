@@ -6,8 +6,8 @@ const AT_ONCE = import.meta.glob<string>(
   [
     "../{wgsl,shapes,lights,lobes}/*.wgsl",
     "!../{shapes,lights}/mesh.wgsl",
-    "!../lobes/multiscatter.wgsl",
-    "!../wgsl/{tree,textures,coverage,lens,baseline,pick}.wgsl",
+    "!../lobes/{multiscatter,refraction,roughRefraction,roughWall,diffuseTransmission}.wgsl",
+    "!../wgsl/{tree,textures,coverage,lens,baseline,pick,medium,dispersion}.wgsl",
   ],
   { query: "?raw", import: "default", eager: true },
 );
@@ -16,8 +16,8 @@ const AT_ONCE = import.meta.glob<string>(
 const ON_DEMAND = import.meta.glob<string>(
   [
     "../{shapes,lights}/mesh.wgsl",
-    "../lobes/multiscatter.wgsl",
-    "../wgsl/{tree,textures,coverage,lens,baseline,pick}.wgsl",
+    "../lobes/{multiscatter,refraction,roughRefraction,roughWall,diffuseTransmission}.wgsl",
+    "../wgsl/{tree,textures,coverage,lens,baseline,pick,medium,dispersion}.wgsl",
   ],
   { query: "?raw", import: "default" },
 );

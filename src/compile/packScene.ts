@@ -6,6 +6,7 @@ import { kindOf } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
 import { hasManyLights } from "./emitLights";
 import { unboundedRows } from "./emitLoops";
+import { factorsLayout, rareTextures } from "./factors";
 import type { Features } from "./features";
 import { PLACED_TEXTURE, TEXTURE } from "./layouts";
 import { materialTable } from "./materialTable";
@@ -42,6 +43,7 @@ export function tablesOf(
               primitives.map(({ material }) => material),
             ),
             layout: features.UV_TRANSFORMS ? PLACED_TEXTURE : TEXTURE,
+            factorsLayout: factorsLayout(rareTextures(primitives)),
           }
         : undefined, // nobody may use them
   };

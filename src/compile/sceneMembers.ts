@@ -1,7 +1,7 @@
 // The layout of `scene`, the buffer that holds a scene's values: its text and its bytes from one list of members.
 
 import { defineStruct, type StructFields, type StructLayout, type StructValue } from "./defineStruct";
-import { FACTORS, LIGHT, UNBOUNDED } from "./layouts";
+import { LIGHT, UNBOUNDED } from "./layouts";
 import type { Tables } from "./packScene";
 import type { Unrolling } from "./unrolling";
 
@@ -36,7 +36,7 @@ export function sceneMembers(tables: Tables, { loops }: Unrolling): Member[] {
     ...loops.map(({ table: { table } }, i) => structs(table, "Unbounded", UNBOUNDED, tables.unbounded[i]!)),
     ...(ofTextures
       ? [
-          structs("factors", "Factors", FACTORS, ofTextures.factors),
+          structs<StructFields>("factors", "Factors", ofTextures.factorsLayout, ofTextures.factors),
           structs<StructFields>("textures", "Texture", ofTextures.layout, ofTextures.textures),
         ]
       : []),

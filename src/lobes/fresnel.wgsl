@@ -1,6 +1,7 @@
-// How much an interface reflects, by Schlick's approximation.
+// How much an interface reflects: by Schlick's approximation, and exactly where light gets into a solid.
 //
 // [1] Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15
+// [2] Born, Wolf 1999, "Principles of Optics", 7th ed., section 1.5.2
 import package::minMax::greater;
 import package::scene::Bsdf;
 
@@ -20,10 +21,75 @@ fn schlickFresnel(bsdf: Bsdf, schlick: f32) -> vec3f {
   return bsdf.F0 + (bsdf.f90 - bsdf.F0) * schlick;
 }
 
+// What the interface lets through to what is below it, by Schlick's weight.
+@if(SPECULAR && !TINTED)
+fn transmittance(bsdf: Bsdf, schlick: f32) -> f32 {
+  return 1.0 - bsdf.f0 - (bsdf.f90 - bsdf.f0) * schlick;
+}
+
+@if(TINTED)
+fn transmittance(bsdf: Bsdf, schlick: f32) -> f32 {
+  return 1.0 - bsdf.f0 - (bsdf.dielectricF90 - bsdf.f0) * schlick;
+}
+
+// What an interface does to light, where that is not Schlick's alone.
+struct Interface {
+  // Reflectance.
+  F: vec3f,
+  // What it lets through to what is below it.
+  through: f32,
+}
+
+@if(EXACT_FRESNEL)
+fn interfaceAt(bsdf: Bsdf, cosTheta: f32) -> Interface {
+  var weight = schlickWeight(cosTheta);
+  @if(REFRACTIVE) {
+    if (bsdf.eta > 0.0) { weight = dielectricWeight(cosTheta, bsdf.eta); }
+  }
+  return Interface(schlickFresnel(bsdf, weight), transmittance(bsdf, weight));
+}
+
+@if(SPECULAR)
+fn reflectanceAt(bsdf: Bsdf, cosTheta: f32) -> vec3f {
+  @if(!EXACT_FRESNEL) return schlickFresnel(bsdf, schlickWeight(cosTheta));
+  @if(EXACT_FRESNEL) return interfaceAt(bsdf, cosTheta).F;
+}
+
+@if(SPECULAR)
+fn transmittanceAt(bsdf: Bsdf, cosTheta: f32) -> f32 {
+  @if(!EXACT_FRESNEL) return transmittance(bsdf, schlickWeight(cosTheta));
+  @if(EXACT_FRESNEL) return interfaceAt(bsdf, cosTheta).through;
+}
+
+// In place of Schlick's weight the one that makes the reflectance of a solid what it is; 1 for total reflection.
+fn dielectricWeight(cosTheta: f32, eta: f32) -> f32 {
+  let ratio = (eta - 1.0) / (eta + 1.0);
+  let f0 = ratio * ratio;
+  return (dielectricFresnel(cosTheta, eta) - f0) / (1.0 - f0);
+}
+
+// Reflectance of a smooth dielectric for unpolarised light; eta is the index of refraction beyond relative to the one before. [2]
+fn dielectricFresnel(cosI: f32, eta: f32) -> f32 {
+  let cos2T = refractedCos2(cosI, eta);
+  if (cos2T <= 0.0) { return 1.0; }
+  let cosT = sqrt(cos2T);
+  let parallel = (eta * cosI - cosT) / (eta * cosI + cosT);
+  let across = (cosI - eta * cosT) / (cosI + eta * cosT);
+  return 0.5 * (parallel * parallel + across * across);
+}
+
+// The square of the refracted direction's cosine; not positive for total reflection. Snell's law
+fn refractedCos2(cosI: f32, eta: f32) -> f32 {
+  // 1 − (1 − cos²) / eta², so that eta = 1 leaves cos² as it is.
+  let inverse = 1.0 / eta;
+  return (1.0 - inverse) * (1.0 + inverse) + cosI * cosI * inverse * inverse;
+}
+
 // The luminance that the interface is expected to reflect.
 @if(SPECULAR)
 fn fresnelShare(bsdf: Bsdf, wo: vec3f) -> f32 {
-  return luminance(schlickFresnel(bsdf, schlickWeight(wo.z)));
+  @if(!EXACT_FRESNEL) return luminance(schlickFresnel(bsdf, schlickWeight(wo.z)));
+  @if(EXACT_FRESNEL) return luminance(reflectanceAt(bsdf, wo.z));
 }
 
 fn luminance(c: vec3f) -> f32 {

@@ -22,7 +22,8 @@ fn ggxShare(bsdf: Bsdf, wo: vec3f) -> f32 {
 
 @if(ROUGH)
 fn ggxValue(bsdf: Bsdf, at: Directions) -> BsdfValue {
-  var F = schlickFresnel(bsdf, at.schlick);
+  @if(!EXACT_FRESNEL) var F = schlickFresnel(bsdf, at.schlick);
+  @if(EXACT_FRESNEL) var F = at.F;
   @if(MULTISCATTER) F *= bsdf.gain;
   let D = ggxD(at.wm, bsdf.alpha);
   @if(SMITH) let smith = ggxVisibility(at.wo.z, at.wi.z, bsdf.alpha);
@@ -46,7 +47,6 @@ const LEAST_WIDTH2 = 1e-6;
 // wo and wi are opposite, and their half vector has no direction, where the square of their sum is no more than this.
 const OPPOSITE2 = 1e-30;
 
-@if(ROUGH)
 fn ggxExpect(bsdf: Bsdf, wo: vec3f, wi: vec3f, cosI: f32, size: f32) -> f32 {
   // Microfacets turn by half the angle: the light widens their distribution. The least width keeps weights finite.
   let alpha = sqrt(greater(bsdf.alpha * bsdf.alpha + 0.25 * size * size, LEAST_WIDTH2));

@@ -1,5 +1,16 @@
 import { scale } from "../math/vec3";
+import type { ResolvedMaterial } from "../scene/schema";
 import type { Lobe } from "./lobe";
+
+function isDiffuse(material: ResolvedMaterial): boolean {
+  const { metallic, transmission, diffuseTransmission } = material;
+  // A texture may make a metal less of one, and let less light through.
+  return (
+    (metallic < 1 || material.metallicRoughnessTexture !== undefined) &&
+    (transmission < 1 || material.transmissionTexture !== undefined) &&
+    (diffuseTransmission < 1 || material.diffuseTransmissionTexture !== undefined)
+  );
+}
 
 /** Light that comes back from below the interface, or from a surface that has none. */
 export const lambert = {
@@ -7,15 +18,14 @@ export const lambert = {
   features: {
     DIFFUSE: {
       word: "diffuse",
-      // A texture may make a metal less of one.
-      isIn: ({ metallic, metallicRoughnessTexture }) => metallic < 1 || metallicRoughnessTexture !== undefined,
+      isIn: isDiffuse,
     },
   },
   columns: {
     // (1 − metallic)·baseColor
     diffuse: {
       type: "vec3f",
-      when: ({ DIFFUSE }) => DIFFUSE!,
+      when: ({ DIFFUSE, TRANSMISSION }) => DIFFUSE! || TRANSMISSION!,
       of: ({ baseColor, metallic }) => scale(baseColor, 1 - metallic),
     },
   },

@@ -3,7 +3,7 @@
 // WGSL expressions call functions of the shader module beside a lobe's file by their full names, package::lobes::ggx::ggxValue.
 // They are of `bsdf: Bsdf`, how the surface scatters; `wo: vec3f`, towards the viewer, in the local frame; and what is named below.
 
-import type { ResolvedMaterial, Vec3 } from "../scene/schema";
+import type { ResolvedMaterial, TextureField, Vec3 } from "../scene/schema";
 
 /** By their names, the conditions of the shader modules' `@if`s: whether some material needs what they guard. */
 export type MaterialFeatures = Readonly<Record<string, boolean>>;
@@ -12,6 +12,8 @@ export type MaterialFeatures = Readonly<Record<string, boolean>>;
 export type Column = {
   /** What the shader reads it for; it has no column without. */
   readonly when: (features: MaterialFeatures) => boolean;
+  /** A texture that multiplies it: by its colour, which is sRGB, or by one of its numbers. */
+  readonly texture?: readonly [field: TextureField, part: "color" | "r" | "g" | "b" | "a"];
 } & (
   | { readonly type: "f32"; readonly of: (material: ResolvedMaterial) => number }
   | { readonly type: "vec3f"; readonly of: (material: ResolvedMaterial) => Vec3 }
@@ -27,30 +29,44 @@ export type MaterialPart = {
     };
   };
   readonly columns: { readonly [name: string]: Column };
+  /** Members of `Bsdf` that are made of others, of `wo`, one after the other; they may take the place of others. */
+  readonly derived?: {
+    readonly [name: string]: Pick<Column, "type" | "when"> & { readonly from: string };
+  };
+};
+
+/** What lies on the lobes listed before its own. */
+export type Layer = {
+  /** The one of its lobes' features that says whether the scene has it. */
+  readonly feature: string;
+  /** How much light passes it on its way from `wi` to what is below and back to `wo`. */
+  readonly through: string;
+  /** Roughly how much light of what leaves towards `wo` passes it. */
+  readonly out: string;
 };
 
 /** A way to scatter light. */
 export type Lobe = MaterialPart & {
+  /** The layer that it is the reflection of; lobes without one are those of the surface itself. */
+  readonly layer?: Layer;
   /** The one of its features that says whether the scene has the lobe. */
   readonly feature: string;
+  /** Whether its directions are those below the surface. */
+  readonly isBelow?: boolean;
   /** The luminance that it is expected to scatter from `wo`: lobes are drawn in proportion to it. */
   readonly share: string;
-  /** Members of `Bsdf` that depend on `wo`. */
-  readonly derived?: {
-    readonly [name: string]: Pick<Column, "type" | "when"> & { readonly from: string };
-  };
 } & (
     | {
         /** A `BsdfValue` of `at: Directions`. */
         readonly value: string;
-        /** A direction, of the random point `u` of the unit square. */
+        /** A direction, of the random point `u` of the unit square; zero if there is none. */
         readonly sample: string;
         /** A `BsdfSample` of `u`, exact, for scenes without another lobe. */
         readonly alone?: string;
         /** Whether f is much the same in all directions: with no other lobe, lights are chosen without it. */
         readonly isEven?: boolean;
         /** Roughly the mean of f over a ball of light of radius `size` at distance 1 in direction `wi`,
-         * whose cosine is `cosI` as far as it is above the surface; to choose lights by. */
+         * whose cosine is `cosI` as far as it is on the lobe's side; to choose lights by. */
         readonly expect: string;
       }
     | {

@@ -2,20 +2,31 @@
 
 import type { ResolvedMaterial, Vec3 } from "../scene/schema";
 import { BLACK } from "../scene/shown";
+import { absorption } from "./absorption";
 import { coverage } from "./coverage";
+import { diffuseTransmission } from "./diffuseTransmission";
 import { fresnel } from "./fresnel";
 import { ggx } from "./ggx";
 import { lambert } from "./lambert";
-import type { Column, Lobe, MaterialFeatures, MaterialPart } from "./lobe";
+import type { Column, Layer, Lobe, MaterialFeatures, MaterialPart } from "./lobe";
 import { mirror } from "./mirror";
+import { refraction } from "./refraction";
+import { roughRefraction } from "./roughRefraction";
+import { roughWall } from "./roughWall";
 import { sides } from "./sides";
+import { isSolid, transmission } from "./transmission";
 
-/** By the names that the shader gives them. The first that a scene has is drawn where no other is; those of one direction come last. */
-const LOBES = { lambert, ggx, mirror } as const satisfies Readonly<Record<string, Lobe>>;
+/**
+ * By the names that the shader gives them. The first that a scene has is drawn where no other is; of those on a layer, those of one
+ * direction come last.
+ */
+const LOBES = {
+  ...{ lambert, diffuseTransmission, ggx, roughRefraction, roughWall, mirror, refraction },
+} as const satisfies Readonly<Record<string, Lobe>>;
 
 /** What `Bsdf` is made of, and what only the table of materials has. */
-const OF_BSDF = { fresnel, ...LOBES } as const satisfies Readonly<Record<string, MaterialPart>>;
-const PARTS = { ...OF_BSDF, coverage, sides } as const satisfies Readonly<Record<string, MaterialPart>>;
+const OF_BSDF = { fresnel, transmission, ...LOBES } as const satisfies Readonly<Record<string, MaterialPart>>;
+const PARTS = { ...OF_BSDF, coverage, sides, absorption } as const satisfies Readonly<Record<string, MaterialPart>>;
 
 type Parts = typeof PARTS;
 type FeatureName = { [P in keyof Parts]: keyof Parts[P]["features"] }[keyof Parts];
@@ -32,6 +43,10 @@ export function lobeFeatures(materials: readonly ResolvedMaterial[]) {
     ...(Object.fromEntries(named) as { readonly [F in FeatureName]: boolean }),
     // Some surface has several lobes.
     LOBES: all.some((material) => lobesOf(material).length > 1),
+    // Some reflectance is another than Schlick's.
+    EXACT_FRESNEL: all.some((material) => isSolid(material)),
+    // Some lobe's directions are those below the surface.
+    BELOW: all.some((material) => lobesOf(material).some(({ isBelow }) => isBelow)),
   };
 }
 
@@ -49,9 +64,21 @@ export function lobesIn(features: MaterialFeatures): [name: string, lobe: Lobe][
   return Object.entries<Lobe>(LOBES).filter(([, { feature }]) => features[feature]);
 }
 
+/** What lies on the surfaces of a scene, from below. */
+export function layersIn(features: MaterialFeatures): Layer[] {
+  return [...new Set(lobesIn(features).flatMap(([, { layer }]) => layer ?? []))];
+}
+
 /** The columns that are members of a scene's `Bsdf`. */
 export function bsdfColumns(features: MaterialFeatures): NamedColumn[] {
   return columnsOf(OF_BSDF, features);
+}
+
+/** What is derived of them, in order. */
+export function derivedIn(features: MaterialFeatures) {
+  return Object.values<MaterialPart>(OF_BSDF)
+    .flatMap(({ derived = {} }) => Object.entries(derived))
+    .filter(([, { when }]) => when(features));
 }
 
 /** The columns of a scene's table of materials. */

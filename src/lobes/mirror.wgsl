@@ -1,7 +1,7 @@
 // A perfect mirror: all of the interface's light in one direction.
 //
 // Directions are unit, in the local frame (z = n, on wo's side).
-import package::lobes::fresnel::{fresnelShare, schlickFresnel, schlickWeight};
+import package::lobes::fresnel::{fresnelShare, reflectanceAt, schlickFresnel, schlickWeight};
 import package::lobes::lobe::BsdfSample;
 import package::scene::Bsdf;
 
@@ -10,5 +10,6 @@ fn mirrorShare(bsdf: Bsdf, wo: vec3f) -> f32 {
 }
 
 fn mirrorSample(bsdf: Bsdf, wo: vec3f, share: f32) -> BsdfSample {
-  return BsdfSample(vec3f(-wo.xy, wo.z), schlickFresnel(bsdf, schlickWeight(wo.z)) / share, 0.0);
+  @if(!EXACT_FRESNEL) return BsdfSample(vec3f(-wo.xy, wo.z), schlickFresnel(bsdf, schlickWeight(wo.z)) / share, 0.0);
+  @if(EXACT_FRESNEL) return BsdfSample(vec3f(-wo.xy, wo.z), reflectanceAt(bsdf, wo.z) / share, 0.0);
 }

@@ -54,9 +54,9 @@ fn boxNormal(ray: Ray, point: vec3f, center: vec3f, halfSize: vec3f, turn: vec2f
   let isInside = (ray.source == (id | INSIDE)) | all(abs(turnBack(ray.o - center, turn)) <= halfSize);
   let leaving = turnBack(ray.d, turn) * local > vec3f(0.0);
   let met = leaving == vec3<bool>(isInside);
-  @if(!ALPHA) let size = select(vec3f(0.0), abs(local), met);
+  @if(!HOLES) let size = select(vec3f(0.0), abs(local), met);
   // Rays may have passed the near side of a box with holes.
-  @if(ALPHA) let size = select(vec3f(0.0), abs(local), met | vec3<bool>(cutoffOf(primitiveOf(id)) != 0.0));
+  @if(HOLES) let size = select(vec3f(0.0), abs(local), met | vec3<bool>(cutoffOf(primitiveOf(id)) != 0.0));
   let x = (size.x >= size.y) & (size.x >= size.z);
   let y = !x & (size.y >= size.z);
   return turnForth(sign(local) * vec3f(select(0.0, 1.0, x), select(0.0, 1.0, y), select(1.0, 0.0, x | y)), turn);

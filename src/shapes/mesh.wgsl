@@ -7,8 +7,8 @@
 import package::constants::NONE;
 import package::minMax::{greater, lesser};
 import package::ray::Ray;
-import package::scene::{COLOR_AT, TANGENT_AT, UVS1_AT, VERTEX_STRIDE, factorsOf, textureOf};
-import package::textures::{Factors, dataAt, uvTurned};
+import package::scene::{COLOR_AT, Factors, TANGENT_AT, UVS1_AT, VERTEX_STRIDE, factorsOf, textureOf};
+import package::textures::{dataAt, uvTurned};
 import package::tree::{Item, TURNED_TRIANGLE};
 import package::uvs::Uvs;
 

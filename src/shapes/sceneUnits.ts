@@ -1,6 +1,6 @@
 import { kindOfLight } from "../lights/lights";
 import { length, scale, subtract } from "../math/vec3";
-import type { ResolvedScene, Rgb, Vec3 } from "../scene/schema";
+import type { ResolvedMaterial, ResolvedScene, Rgb, Vec3 } from "../scene/schema";
 import { kindOfObject } from "./shapes";
 
 // Scenes whose camera is between these powers of two from what it looks at keep the metre: products of three and four lengths
@@ -23,7 +23,7 @@ export type SceneInUnits = {
  * of lengths then stay within f32 for a scene of any size, and no digit changes. Radiances stay; powers go as length².
  */
 export function inSceneUnits(scene: ResolvedScene): SceneInUnits {
-  const { camera, objects, lights } = scene;
+  const { camera, materials, objects, lights } = scene;
   const steps = Math.round(Math.log2(length(subtract(camera.position, camera.target))));
   if (Math.abs(steps) <= METRE_STEPS) return { scene, unit: 1 };
   const unit = 2 ** steps;
@@ -36,10 +36,19 @@ export function inSceneUnits(scene: ResolvedScene): SceneInUnits {
     scene: {
       ...scene,
       camera: { ...camera, position: point(camera.position), target: point(camera.target) },
+      materials: Object.fromEntries(
+        Object.entries(materials).map(([name, material]) => [name, inUnits(material, size)]),
+      ),
       objects: objects.map((object) => kindOfObject(object).measure(object, measure)),
       lights: lights.map((light) => kindOfLight(light).measure(light, measure)),
     },
   };
+}
+
+function inUnits(material: ResolvedMaterial, size: (x: number) => number): ResolvedMaterial {
+  const { attenuationDistance } = material;
+  if (attenuationDistance === undefined) return material;
+  return { ...material, attenuationDistance: size(attenuationDistance) };
 }
 
 function coordinate(x: number): number {

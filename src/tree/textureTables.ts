@@ -1,4 +1,5 @@
-import { type ResolvedMaterial, TEXTURE_FIELDS, type TextureReference } from "../scene/schema";
+import { type ResolvedMaterial, TEXTURE_FIELDS, type TextureField, type TextureReference } from "../scene/schema";
+import { BLACK } from "../scene/shown";
 import { uvRows, type WholeReference, wholeReference } from "../scene/textureReference";
 import type { Textures } from "./packTexels";
 
@@ -65,16 +66,15 @@ function factorRows(numbers: ReadonlyMap<string, number>, materials: readonly Su
   const numberOf = (reference: TextureReference | undefined) =>
     reference === undefined ? NO_TEXTURE : numbers.get(keyOf(wholeReference(reference)))!;
   const rowOf = (material: Surface) => {
-    const { baseColor, metallic, roughness, normalScale, ...references } = material === "black" ? BLACK : material;
+    const shown = material === "black" ? BLACK : material;
+    const { baseColor, metallic, roughness, normalScale } = shown;
+    const numbered = TEXTURE_FIELDS.map((field) => [field, numberOf(shown[field])] as const);
     return {
       baseColor,
       metallic,
       roughness,
       normalScale,
-      baseColorTexture: numberOf(references.baseColorTexture),
-      metallicRoughnessTexture: numberOf(references.metallicRoughnessTexture),
-      emissionTexture: numberOf(references.emissionTexture),
-      normalTexture: numberOf(references.normalTexture),
+      ...(Object.fromEntries(numbered) as Record<TextureField, number>),
     };
   };
   const rows = new Map<Surface, ReturnType<typeof rowOf>>();
@@ -84,8 +84,3 @@ function factorRows(numbers: ReadonlyMap<string, number>, materials: readonly Su
     return row;
   });
 }
-
-const BLACK: Pick<
-  ResolvedMaterial,
-  "baseColor" | "metallic" | "roughness" | "normalScale" | (`${string}Texture` & keyof ResolvedMaterial)
-> = { baseColor: [0, 0, 0], metallic: 0, roughness: 1, normalScale: 1 };

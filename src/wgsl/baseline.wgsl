@@ -3,12 +3,14 @@
 import package::basis::{toLocal, toWorld};
 import package::camera::cameraRay;
 import package::constants::NONE;
-import package::coverage::drawCoverage;
+import package::coverage::{drawCoverage, tintBefore};
 import package::dimensions::{DIRECTION, LENS_POINT, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::directLight::{DirectLight, directLight, unhidden};
+import package::dispersion::{drawColor, disperse};
 import package::frameUniforms::{countRay, frame};
 import package::lens::lensRay;
 import package::lights::light::{lightPick, sampleLight};
+import package::medium::{absorbed, crossSide, enterScene, meetSide};
 import package::sampler::{Sampler, point};
 import package::scene::{bsdfEval, bsdfSampleUniform, closestHit, environment};
 import package::surface::{Surface, leave, leaves, surfaceAt};
@@ -20,15 +22,23 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   @if(LENS) var ray = lensRay(pixel, point(samples, PIXEL), point(samples, LENS_POINT));
   // Whether emitters that this ray hits have been counted already, by light sampling at its origin.
   var counted = false;
+  @if(ABSORPTION) enterScene();
+  @if(DISPERSION) drawColor(samples);
   for (var depth = 0u; ; depth++) {
-    @if(ALPHA) drawCoverage(samples, dimensionAt(depth, PIXEL));
+    @if(HOLES) drawCoverage(samples, dimensionAt(depth, PIXEL));
     let hit = closestHit(ray);
     countRay();
+    @if(COLORED_WALLS) beta *= tintBefore(ray, hit.t);
     if (hit.id == NONE) {
+      @if(ABSORPTION) beta *= absorbed(hit.t);
       @if(ENVIRONMENT) L += beta * environment();
       break;
     }
     let surface = surfaceAt(ray, hit);
+    @if(CLEAR_WALLS) beta *= surface.odds;
+    @if(ABSORPTION) meetSide(surface);
+    @if(ABSORPTION) beta *= absorbed(hit.t);
+    @if(DISPERSION) beta *= disperse(surface.id);
     @if(EMISSION) L += select(beta * surface.Le, vec3f(0.0), counted && surface.lightPdf > 0.0);
     if (depth >= frame.maxBounces) { break; }
 
@@ -41,6 +51,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     @if(SHADING_NORMALS) beta *= select(0.0, 1.0, leaves(surface, wi));
     counted = next.pdf > 0.0;
     if (all(beta == vec3f(0.0))) { break; }
+    @if(ABSORPTION) crossSide(surface, next.wi);
     ray = leave(surface, wi);
   }
   return L;

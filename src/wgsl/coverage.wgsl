@@ -1,14 +1,25 @@
 // Surfaces that are there in part: a ray meets one with the probability that its alpha tells, or passes. Shadow rays do the same, so
 // that leaves cast the shadows of leaves.
+//
+// Of what is there a clear wall lets some light pass straight. A path does so by chance; of light from a lamp, which goes
+// through all walls on its way, each takes its share.
+import package::lobes::fresnel::transmittanceAt;
 import package::ray::{Hit, Ray, between};
 import package::sampler::{Sampler, pcg3d, unitInterval};
-import package::scene::{PRIMITIVES, coverageOf, coverTextureOf, cutoffOf};
+import package::scene::{PRIMITIVES, coverageOf, coverTextureOf, cutoffOf, isClearOf, occluded};
 import package::shapes::mesh::{colorOn, uvAt};
+import package::surface::bsdfOf;
+import package::surfacePoint::{SurfacePoint, primitiveOf, surfacePoint};
 import package::textures::alphaAt;
 import package::tree::{Item, TURNED_TRIANGLE, itemAt};
+import package::constants::NONE;
+import package::uvs::Uvs;
 
 // What the next ray's chances come from. Each surface on its way has its own, by its number and distance.
 var<private> chances: vec2u;
+
+// Of a clear wall, in place of the cutoff of a mask. As in lobes/coverage.ts.
+const CLEAR = -2.0;
 
 fn drawCoverage(samples: Sampler, dimension: u32) {
   chances = vec2u(samples.seed ^ (dimension * 0x9e3779b9u), samples.index);
@@ -16,13 +27,80 @@ fn drawCoverage(samples: Sampler, dimension: u32) {
 
 // As nearer(), of a surface with holes.
 fn nearerPart(hit: Hit, t: f32, id: u32, ray: Ray) -> Hit {
-  if (between(t, hit.t, id, ray) && isCovered(ray, t, id)) { return Hit(t, id); }
+  @if(!CLEAR_WALLS) let meets = between(t, hit.t, id, ray) && isCovered(ray, t, id);
+  @if(CLEAR_WALLS) let meets = between(t, hit.t, id, ray) && isCovered(ray, t, id) && !passesWall(ray, t, id);
+  if (meets) { return Hit(t, id); }
   return hit;
 }
 
 // As between(), of a surface with holes.
 fn betweenPart(t: f32, distance: f32, id: u32, ray: Ray) -> bool {
-  return between(t, distance, id, ray) && isCovered(ray, t, id);
+  @if(!CLEAR_WALLS) return between(t, distance, id, ray) && isCovered(ray, t, id);
+  @if(CLEAR_WALLS) return between(t, distance, id, ray) && isCovered(ray, t, id) && !shinesThrough(ray, t, id);
+}
+
+// What the clear walls that occluded() has met let through: of light on its way; and, of what is left of a path that passed them, its
+// colour.
+@if(CLEAR_WALLS)
+var<private> clearness: vec3f;
+@if(COLORED_WALLS)
+var<private> tint: vec3f;
+
+// Whether a path passes the wall.
+@if(CLEAR_WALLS)
+fn passesWall(ray: Ray, t: f32, id: u32) -> bool {
+  @if(PICK) return false;
+  @if(!PICK) {
+    let chance = passChance(wallAt(ray, t, id));
+    return unitInterval(pcg3d(vec3u(chances.x ^ (id * 0x85ebca6bu), chances.y, bitcast<u32>(t))).y) < chance;
+  }
+}
+
+// Whether light passes the wall; counts what it leaves there.
+@if(CLEAR_WALLS)
+fn shinesThrough(ray: Ray, t: f32, id: u32) -> bool {
+  let through = wallAt(ray, t, id);
+  clearness *= through;
+  @if(COLORED_WALLS) tint *= through / select(1.0, passChance(through), passChance(through) > 0.0);
+  return any(through > vec3f(0.0));
+}
+
+fn passChance(through: vec3f) -> f32 {
+  return max(max(through.r, through.g), through.b);
+}
+
+// What a wall lets pass straight of the light along a ray; nothing if it is none.
+@if(CLEAR_WALLS)
+fn wallAt(ray: Ray, t: f32, id: u32) -> vec3f {
+  if (isClearOf(primitiveOf(id)) == 0.0) { return vec3f(0.0); }
+  return throughWall(ray, surfacePoint(ray, Hit(t, id)));
+}
+
+@if(CLEAR_WALLS)
+fn throughWall(ray: Ray, found: SurfacePoint) -> vec3f {
+  if (isClearOf(found.id) == 0.0) { return vec3f(0.0); }
+  let cosTheta = abs(dot(ray.d, found.n));
+  var uv = Uvs(0.0);
+  @if(TEXTURES) uv = found.uv;
+  var color = vec3f(1.0);
+  @if(COLORS) color = found.color.rgb;
+  let bsdf = bsdfOf(found.id, vec3f(0.0, 0.0, cosTheta), uv, color);
+  return bsdf.transmitted * transmittanceAt(bsdf, cosTheta);
+}
+
+// A path that met a wall did so for all that would have met it.
+@if(CLEAR_WALLS)
+fn oddsOf(ray: Ray, found: SurfacePoint) -> f32 {
+  let met = 1.0 - passChance(throughWall(ray, found));
+  return select(0.0, 1.0 / met, met > 0.0);
+}
+
+// How the walls that a path has passed on its way to what it met have coloured it.
+@if(COLORED_WALLS)
+fn tintBefore(ray: Ray, distance: f32) -> vec3f {
+  tint = vec3f(1.0);
+  let met = occluded(ray, distance, NONE);
+  return tint;
 }
 
 // Whether the ray meets surface `id` at t.
@@ -34,6 +112,7 @@ fn isCovered(ray: Ray, t: f32, id: u32) -> bool {
     let item = itemAt(slot);
     let cutoff = cutoffOf(item.id);
     if (cutoff == 0.0) { return true; }
+    @if(CLEAR_WALLS) if (cutoff == CLEAR) { return true; }
     var alpha = coverageOf(item.id);
     @if(ALPHA_TEXTURES || COLORS) {
       // Of shapes only meshes have vertices.

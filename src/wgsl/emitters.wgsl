@@ -7,7 +7,7 @@
 // [1] Arvo, Kirk 1990, "Particle Transport and Image Synthesis", section 5
 import package::camera::cameraRay;
 import package::constants::NONE;
-import package::coverage::drawCoverage;
+import package::coverage::{drawCoverage, tintBefore};
 import package::dimensions::{EMITTER_LENS_POINT, EMITTER_PIXEL};
 import package::lens::lensRay;
 import package::sampler::{Sampler, point, subsample};
@@ -30,10 +30,16 @@ fn emitterLight(pixel: vec2u, samples: Sampler) -> vec3f {
     @if(!LENS) let ray = cameraRay(pixel, point(subsample(samples, i, EMITTER_RAYS), EMITTER_PIXEL));
     @if(LENS) let part = subsample(samples, i, EMITTER_RAYS);
     @if(LENS) let ray = lensRay(pixel, point(part, EMITTER_PIXEL), point(part, EMITTER_LENS_POINT));
-    @if(ALPHA) drawCoverage(subsample(samples, i, EMITTER_RAYS), EMITTER_PIXEL);
+    @if(HOLES) drawCoverage(subsample(samples, i, EMITTER_RAYS), EMITTER_PIXEL);
     let hit = closestHit(ray);
     countRay();
-    if (hit.id != NONE) { sum += surfaceAt(ray, hit).Le; }
+    @if(!CLEAR_WALLS) if (hit.id != NONE) { sum += surfaceAt(ray, hit).Le; }
+    @if(CLEAR_WALLS) if (hit.id != NONE) {
+      let surface = surfaceAt(ray, hit);
+      var Le = surface.Le * surface.odds;
+      @if(COLORED_WALLS) Le *= tintBefore(ray, hit.t);
+      sum += Le;
+    }
   }
   return sum / f32(EMITTER_RAYS);
 }

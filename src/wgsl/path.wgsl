@@ -5,13 +5,15 @@
 import package::basis::{toLocal, toWorld};
 import package::camera::cameraRay;
 import package::constants::{NEAR2, NONE};
-import package::coverage::drawCoverage;
+import package::coverage::{drawCoverage, tintBefore};
 import package::dimensions::{DIRECTION, LENS_POINT, LIGHT, LOBE, PIXEL, dimensionAt};
 import package::directLight::{DirectLight, directLight, lightSampleCount, unhidden};
 import package::emitters::inEmitterWindow;
+import package::dispersion::{drawColor, disperse};
 import package::frameUniforms::{countRay, frame};
 import package::lens::lensRay;
 import package::lights::light::{lightPick, lightShareOf, sampleLight};
+import package::medium::{absorbed, crossSide, enterScene, meetSide};
 import package::minMax::{greater, lesser};
 import package::sampler::{Sampler, independent, point};
 import package::scene::{bsdfEval, bsdfSample, closestHit, environment};
@@ -33,15 +35,23 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   // Where the ray started, and the weight of all lights there.
   @if(MANY_LIGHTS) var last: Surface;
   @if(MANY_LIGHTS) var totalWeight = 1.0;
+  @if(ABSORPTION) enterScene();
+  @if(DISPERSION) drawColor(samples);
   for (var depth = 0u; ; depth++) {
-    @if(ALPHA) drawCoverage(samples, dimensionAt(depth, PIXEL));
+    @if(HOLES) drawCoverage(samples, dimensionAt(depth, PIXEL));
     let hit = closestHit(ray);
     countRay();
+    @if(COLORED_WALLS) beta *= tintBefore(ray, hit.t);
     if (hit.id == NONE) {
+      @if(ABSORPTION) beta *= absorbed(hit.t);
       @if(ENVIRONMENT) L += beta * environment();
       break;
     }
     let surface = surfaceAt(ray, hit);
+    @if(CLEAR_WALLS) beta *= surface.odds;
+    @if(ABSORPTION) meetSide(surface);
+    @if(ABSORPTION) beta *= absorbed(hit.t);
+    @if(DISPERSION) beta *= disperse(surface.id);
     @if(EMISSION) {
       var lightPdf = lightSampleCount() * surface.lightPdf;
       @if(MANY_LIGHTS) lightPdf *= lightShareOf(primitiveOf(hit.id), last) / greater(totalWeight, NEAR2);
@@ -68,6 +78,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     let survival = select(lesser(greater(greater(beta.r, beta.g), beta.b), 1.0), 1.0, depth < ROULETTE_DEPTH);
     if (choice.y >= survival || all(beta == vec3f(0.0))) { break; }
     beta /= survival;
+    @if(ABSORPTION) crossSide(surface, next.wi);
     ray = leave(surface, wi);
   }
   return L;

@@ -43,7 +43,7 @@ fn between(t: f32, distance: f32, id: u32, ray: Ray) -> bool {
 }
 
 // The same ray as one that starts inside of closed primitive `id`: what it meets is the far side.
-@if(ALPHA)
+@if(HOLES)
 fn innerRay(ray: Ray, id: u32) -> Ray {
   return Ray(ray.o, ray.d, ray.inverse, id | INSIDE);
 }

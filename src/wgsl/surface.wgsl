@@ -3,13 +3,14 @@
 // [1] Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II ch. 4
 import package::basis::{Frame, frameAround, toLocal};
 import package::constants::{LEAST_COMPONENT, NONE};
+import package::coverage::oddsOf;
 import package::lights::sphere::sphereLightPdf;
 import package::lobes::fresnel::LEAST_ALPHA;
 import package::minMax::greater;
 import package::ray::{Hit, Ray, makeRay};
-import package::scene::{Bsdf, doubleSidedOf, emissionOf, factorsOf, lightDensityOf, materialOf, seenFrom, unlitOf};
+import package::scene::{Bsdf, doubleSidedOf, emissionOf, factorsOf, lightDensityOf, materialOf, seenFrom, textured, unlitOf};
 import package::shapes::mesh::consistentNormal;
-import package::surfacePoint::{SurfacePoint, sourceAt, surfacePoint};
+import package::surfacePoint::{SurfacePoint, otherSourceAt, sourceAt, surfacePoint};
 import package::textures::{colorAt, dataAt};
 import package::uvs::Uvs;
 
@@ -34,6 +35,15 @@ struct Surface {
   lightPdf: f32,
   // What a ray that leaves from here names as its source.
   source: u32,
+  // Where one starts that leaves on the other side, and its source.
+  @if(BELOW) below: vec3f,
+  @if(BELOW) otherSource: u32,
+  // Whether the viewer sees the front.
+  @if(ABSORPTION || DISPERSION) front: bool,
+  // The primitive.
+  @if(ABSORPTION || DISPERSION) id: u32,
+  // What a path that met this counts for: 1, or more where others have passed.
+  @if(CLEAR_WALLS) odds: f32,
 }
 
 fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
@@ -42,6 +52,8 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   surface.p = found.p;
   var n = select(-found.n, found.n, found.front);
   @if(MESHES) surface.p += found.clearance * n;
+  @if(BELOW && !MESHES) surface.below = found.p;
+  @if(BELOW && MESHES) surface.below = found.p - found.clearance * n;
   @if(SHADING_NORMALS) {
     surface.ng = n;
     @if(SMOOTH && NORMAL_TEXTURES) surface.smoothN = select(-found.smoothN, found.smoothN, found.front);
@@ -55,6 +67,7 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
   @if(TEXTURES) uv = found.uv;
   var color = vec3f(1.0);
   @if(COLORS) color = found.color.rgb;
+  @if(REFRACTIVE) seesFront = found.front;
   surface.bsdf = bsdfOf(found.id, surface.wo, uv, color);
   @if(EMISSION) {
     @if(!DOUBLE_SIDED) surface.Le = select(vec3f(0.0), emissionOf(found.id), found.front);
@@ -64,6 +77,10 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
     surface.lightPdf = lightPdf(lightDensityOf(found.id), ray, hit.t, found);
   }
   surface.source = sourceAt(found, hit);
+  @if(BELOW) surface.otherSource = otherSourceAt(found, hit);
+  @if(ABSORPTION || DISPERSION) surface.front = found.front;
+  @if(ABSORPTION || DISPERSION) surface.id = found.id;
+  @if(CLEAR_WALLS) surface.odds = oddsOf(ray, found);
   return surface;
 }
 
@@ -71,6 +88,9 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
 // would cut it off, as in Cycles: or else the boundary of light would be one of triangles. Blended in with the angle at which the
 // triangle and the smooth surface end. [1]
 fn leave(surface: Surface, wi: vec3f) -> Ray {
+  @if(BELOW) {
+    if (dot(surface.frame.n, wi) < 0.0) { return makeRay(surface.below, wi, surface.otherSource); }
+  }
   @if(!SMOOTH) return makeRay(surface.p, wi, surface.source);
   @if(SMOOTH) {
     let flat = dot(surface.ng, wi);
@@ -84,18 +104,28 @@ fn leave(surface: Surface, wi: vec3f) -> Ray {
   }
 }
 
-// Whether a direction leaves a surface on the viewer's side, whatever the normal that it is shaded with.
+// Whether a direction leaves a surface on the viewer's side, whatever the normal that it is shaded with; or on the other side, where
+// that is the side it is meant to leave on.
 @if(SHADING_NORMALS)
 fn leaves(surface: Surface, wi: vec3f) -> bool {
+  @if(BELOW) {
+    if (dot(surface.frame.n, wi) < 0.0) { return dot(surface.ng, wi) < 0.0; }
+  }
   @if(!SMOOTH) return dot(wi, surface.ng) > 0.0;
   @if(SMOOTH && NORMAL_TEXTURES) return dot(wi, surface.smoothN) > 0.0;
   @if(SMOOTH && !NORMAL_TEXTURES) return true; // no lobe sends light below n
 }
 
+// Which side of a solid the next bsdfOf() is asked for, and how far the path's colour is from the middle of the spectrum.
+@if(REFRACTIVE)
+var<private> seesFront: bool = true;
+@if(DISPERSION)
+var<private> spectralShift: f32;
+
 // How a primitive scatters towards the viewer, at texture coordinates and with the colour of its vertices.
 fn bsdfOf(id: u32, wo: vec3f, uv: Uvs, color: vec3f) -> Bsdf {
   var material = materialOf(id);
-  @if(SURFACE_TEXTURES || COLORS) {
+  @if(SURFACE_TEXTURES || LOBE_TEXTURES || COLORS) {
     let factors = factorsOf(id);
     var base = factors.baseColor * color;
     var data = vec3f(1.0);
@@ -103,15 +133,29 @@ fn bsdfOf(id: u32, wo: vec3f, uv: Uvs, color: vec3f) -> Bsdf {
     @if(SURFACE_TEXTURES) data = dataAt(factors.metallicRoughnessTexture, uv);
     let metallic = factors.metallic * data.b;
     let roughness = factors.roughness * data.g;
-    @if(DIFFUSE) material.diffuse = (1.0 - metallic) * base;
+    @if(DIFFUSE || TRANSMISSION) material.diffuse = (1.0 - metallic) * base;
+    @if(LOBE_TEXTURES) material = textured(material, factors, uv);
     @if(SPECULAR) {
       var isTextured = min(factors.baseColorTexture, factors.metallicRoughnessTexture) != NONE;
       @if(COLORS) isTextured |= any(color != vec3f(1.0));
-      material.F0 = select(material.F0, mix(vec3f(material.f0), base, metallic), isTextured);
+      @if(SPECULAR_TEXTURES) {
+        isTextured |= min(factors.specularTexture, factors.specularColorTexture) != NONE;
+        material.specularF0 = min(material.specularF0, vec3f(1.0)) * material.dielectricF90;
+        material.f0 = max(max(material.specularF0.r, material.specularF0.g), material.specularF0.b);
+        material.f90 = mix(material.dielectricF90, 1.0, metallic);
+      }
+      @if(!TINTED) material.F0 = select(material.F0, mix(vec3f(material.f0), base, metallic), isTextured);
+      @if(TINTED && !SPECULAR_TEXTURES) material.specularF0 = min(material.specularF0, vec3f(1.0)) * material.dielectricF90;
+      @if(TINTED) material.F0 = select(material.F0, mix(material.specularF0, base, metallic), isTextured);
       // A texture makes no perfect mirrors, nor takes any away: a scene's lobes do not depend on texels.
       material.alpha = select(material.alpha, max(roughness * roughness, LEAST_ALPHA), isTextured && material.alpha > 0.0);
     }
     @if(MULTISCATTER) material.multiscatter *= data.b;
+    @if(TRANSLUCENT) material.translucent *= (1.0 - metallic) / greater(1.0 - factors.metallic, LEAST_COMPONENT);
+  }
+  @if(DISPERSION) material.eta += spectralShift * material.spread;
+  @if(REFRACTIVE) {
+    if (!seesFront && material.eta > 0.0) { material.eta = 1.0 / material.eta; }
   }
   return seenFrom(material, wo);
 }

@@ -97,7 +97,7 @@ fn surfacePoint(ray: Ray, hit: Hit) -> SurfacePoint {
     let startsInside = (ray.source == (hit.id | INSIDE)) | (dot(toOrigin, toOrigin) < shape.w * shape.w);
     @if(!HUGE_BALLS) found.front = select(found.front, !startsInside, isBall);
     @if(HUGE_BALLS) found.front = select(found.front, !startsInside, isBall & !isHuge);
-    @if(ALPHA) found.front = select(found.front, dot(ray.d, n) < 0.0, cutoffOf(found.id) != 0.0); // rays pass its near side
+    @if(HOLES) found.front = select(found.front, dot(ray.d, n) < 0.0, cutoffOf(found.id) != 0.0); // rays pass its near side
   }
   return found;
 }
@@ -108,6 +108,14 @@ fn sourceAt(found: SurfacePoint, hit: Hit) -> u32 {
   @if((BALLS || SOLIDS) && !MESHES) source |= select(INSIDE, 0u, found.front || found.shape.w == 0.0);
   @if((BALLS || SOLIDS) && MESHES) source |= select(INSIDE, 0u, found.front || found.shape.w == 0.0 || found.isTriangle);
   return source;
+}
+
+// The same of a ray that leaves from the other side.
+@if(BELOW)
+fn otherSourceAt(found: SurfacePoint, hit: Hit) -> u32 {
+  var other = found;
+  other.front = !found.front;
+  return sourceAt(other, hit);
 }
 
 // The primitive of what a ray hits: of a triangle of a mesh, the mesh.

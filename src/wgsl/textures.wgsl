@@ -29,18 +29,6 @@ struct Texture {
 const WRAP_REPEAT = 0u;
 const WRAP_MIRROR = 1u;
 
-// What the textures of a primitive multiply, and which they are: NONE for none. Packed by tree/textureTables.ts.
-struct Factors {
-  baseColor: vec3f,
-  metallic: f32,
-  roughness: f32,
-  normalScale: f32,
-  baseColorTexture: u32,
-  metallicRoughnessTexture: u32,
-  emissionTexture: u32,
-  normalTexture: u32,
-}
-
 // Four texels around a point, left and right of it in the upper and then in the lower row, and how far it is from the first.
 struct Footprint {
   texels: vec4u,
@@ -65,7 +53,7 @@ fn dataAt(texture: u32, uv: Uvs) -> vec3f {
 }
 
 // Its alpha.
-@if(ALPHA_TEXTURES)
+@if(TEXTURES)
 fn alphaAt(texture: u32, uv: Uvs) -> f32 {
   if (texture == NONE) { return 1.0; }
   let f = footprint(textureOf(texture), uv);

@@ -74,9 +74,9 @@ fn treeClosest(ray: Ray, found: Hit) -> Hit {
     let end = first + ((link & ~LEAF) >> COUNT_SHIFT);
     for (var slot = first; slot < end; slot++) {
       let id = PRIMITIVES + slot;
-      @if(!TREE_ALPHA) hit = nearer(hit, itemIntersect(ray, shear, slot, id), id, ray);
-      @if(TREE_ALPHA) hit = nearerPart(hit, itemIntersect(ray, shear, slot, id), id, ray);
-      @if(TREE_ALPHA && TREE_CLOSED) hit = nearerPart(hit, farSide(ray, shear, slot, id), id, ray);
+      @if(!TREE_HOLES) hit = nearer(hit, itemIntersect(ray, shear, slot, id), id, ray);
+      @if(TREE_HOLES) hit = nearerPart(hit, itemIntersect(ray, shear, slot, id), id, ray);
+      @if(TREE_HOLES && TREE_CLOSED) hit = nearerPart(hit, farSide(ray, shear, slot, id), id, ray);
     }
     link = nextWaiting(NOTHING, true);
   }
@@ -96,9 +96,9 @@ fn treeOccludes(ray: Ray, distance: f32, target_: u32) -> bool {
     let end = first + ((link & ~LEAF) >> COUNT_SHIFT);
     for (var slot = first; slot < end; slot++) {
       let id = PRIMITIVES + slot;
-      @if(!TREE_ALPHA) blocked |= between(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
-      @if(TREE_ALPHA) blocked |= betweenPart(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
-      @if(TREE_ALPHA && TREE_CLOSED) blocked |= betweenPart(farSide(ray, shear, slot, id), distance, id, ray) & (id != target_);
+      @if(!TREE_HOLES) blocked |= between(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
+      @if(TREE_HOLES) blocked |= betweenPart(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
+      @if(TREE_HOLES && TREE_CLOSED) blocked |= betweenPart(farSide(ray, shear, slot, id), distance, id, ray) & (id != target_);
     }
     if (blocked) { break; }
     link = nextWaiting(NOTHING, true);
@@ -107,7 +107,7 @@ fn treeOccludes(ray: Ray, distance: f32, target_: u32) -> bool {
 }
 
 // Where a ray that meets a closed item leaves it, if it may have passed the near side; not positive if there is nothing to leave.
-@if(TREE_ALPHA && TREE_CLOSED)
+@if(TREE_HOLES && TREE_CLOSED)
 fn farSide(ray: Ray, shear: Shear, slot: u32, id: u32) -> f32 {
   if (itemAt(slot).kind <= TURNED_TRIANGLE || itemIntersect(ray, shear, slot, id) <= 0.0) { return -1.0; }
   return itemIntersect(innerRay(ray, id), shear, slot, id);

@@ -1,5 +1,5 @@
 import { type CompiledScene, compileScene } from "../../src/compile/compileScene";
-import { FACTORS, LIGHT, TEXTURE } from "../../src/compile/layouts";
+import { LIGHT, TEXTURE } from "../../src/compile/layouts";
 import { linkProgram } from "../../src/compile/linkProgram";
 import { parseScene } from "../../src/scene/parseScene";
 import type { Light, Material, Scene, SceneObject } from "../../src/scene/schema";
@@ -59,7 +59,6 @@ type Unpacked = {
 
 const STRUCTS: Readonly<Record<string, { readonly fields: Readonly<Record<string, string>> }>> = {
   Light: LIGHT,
-  Factors: FACTORS,
   Texture: TEXTURE,
 };
 

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { defineStruct, type StructFields } from "../../../src/compile/defineStruct";
-import { FACTORS, FRAME, LIGHT, PLACED_TEXTURE, TEXTURE, VIEW } from "../../../src/compile/layouts";
+import { FRAME, LIGHT, PLACED_TEXTURE, TEXTURE, VIEW } from "../../../src/compile/layouts";
 import { layOut, parseStruct, readStruct } from "../../support/wgslStruct";
 
 /** Byte offset of every field, as `write` uses them: found by writing one field at a time. */
@@ -60,7 +60,6 @@ test("typed arrays are as good as arrays", () => {
 });
 
 const MIRRORED = [
-  ["Factors", "wgsl/textures", FACTORS],
   ["Texture", "wgsl/textures", PLACED_TEXTURE],
   ["Light", "lights/light", LIGHT],
   ["FrameUniforms", "wgsl/frameUniforms", FRAME],

@@ -68,7 +68,8 @@ async function expectSamePrograms(scene: Scene) {
         estimator: SHADER_MODULES[estimator === "path" ? "path" : "baseline"]!,
       };
       for (const root of ["trace", "pick"] as const) {
-        await expectSame(await linkProgram(sceneModule, features, root), root, modules, features);
+        const conditions = { ...features, PICK: root === "pick" };
+        await expectSame(await linkProgram(sceneModule, features, root), root, modules, conditions);
       }
     }
   }

@@ -1,0 +1,15 @@
+import { alphaOf } from "./fresnel";
+import type { Lobe } from "./lobe";
+import { isSolid } from "./transmission";
+
+/** Into a solid, or out of it, through microfacets. */
+export const roughRefraction = {
+  feature: "ROUGH_REFRACTION",
+  features: { ROUGH_REFRACTION: { word: "rough refraction", isIn: (m) => isSolid(m) && alphaOf(m) > 0 } },
+  columns: {},
+  isBelow: true,
+  share: "package::lobes::roughRefraction::roughRefractionShare(bsdf, wo)",
+  value: "package::lobes::roughRefraction::roughRefractionValue(bsdf, at)",
+  sample: "package::lobes::roughRefraction::roughRefractionDirection(bsdf, wo, u)",
+  expect: "package::lobes::roughRefraction::roughRefractionExpect(bsdf, wo, wi, cosI, size)",
+} as const satisfies Lobe;
