@@ -48,10 +48,13 @@ ${emitSamples(lobes, features)}`;
 function emitTextured(columns: ReturnType<typeof bsdfColumns>, rare: readonly TextureField[]): string {
   const products = columns.flatMap(([name, { texture }]) => {
     if (!texture || !rare.includes(texture[0])) return [];
-    const [field, part] = texture;
+    const [field, part, least] = texture;
     const sampler = part === "color" ? "colorAt" : part === "a" ? "alphaAt" : "dataAt";
     const suffix = sampler === "dataAt" ? `.${part}` : "";
-    return `  bsdf.${name} *= package::textures::${sampler}(factors.${field}, uv)${suffix};\n`;
+    const product = `bsdf.${name} * package::textures::${sampler}(factors.${field}, uv)${suffix}`;
+    // What is 0 without the texture stays so.
+    const value = least === undefined ? product : `select(0.0, greater(${product}, ${least}), bsdf.${name} > 0.0)`;
+    return `  bsdf.${name} = ${value};\n`;
   });
   return `
 fn textured(material: Bsdf, factors: Factors, uv: package::uvs::Uvs) -> Bsdf {

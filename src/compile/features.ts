@@ -31,6 +31,9 @@ export function deriveFeatures(
   const families = new Set(primitives.map(({ shape }) => familyOf(shape)));
   const NORMAL_TEXTURES = hasTexture("normalTexture");
   const COLORS = geometry?.vertexLayout.colors !== undefined;
+  const isStretched = materials.some(({ anisotropy }) => anisotropy > 0);
+  const hasUvs = geometry !== undefined && geometry.parts.length > 0 && geometry.vertexLayout.uvs !== undefined;
+  const hasTangents = geometry?.vertexLayout.tangents !== undefined;
   const isSmooth = geometry?.data.normals !== undefined;
   return {
     BALLS: families.has("ball"),
@@ -56,9 +59,11 @@ export function deriveFeatures(
     SHADING_NORMALS: isSmooth || NORMAL_TEXTURES,
     TEXTURES: TEXTURE_FIELDS.some(hasTexture),
     COLORS,
-    TANGENTS: NORMAL_TEXTURES && geometry?.vertexLayout.tangents !== undefined,
+    TANGENTS: (NORMAL_TEXTURES || hasTexture("clearcoatNormalTexture") || isStretched) && hasTangents,
     // Vertices have more than positions and normals.
-    VERTICES: COLORS || TEXTURE_FIELDS.some(hasTexture),
+    VERTICES: COLORS || TEXTURE_FIELDS.some(hasTexture) || (isStretched && hasUvs),
+    // The stretch of meshes follows their texture coordinates.
+    MESH_STRETCH: isStretched && hasUvs,
     UNLIT_COLORS: COLORS && materials.some(({ unlit }) => unlit),
     SURFACE_TEXTURES: hasTexture("baseColorTexture") || hasTexture("metallicRoughnessTexture"),
     // Textures of glTF's extensions.

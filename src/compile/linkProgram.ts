@@ -6,8 +6,8 @@ const AT_ONCE = import.meta.glob<string>(
   [
     "../{wgsl,shapes,lights,lobes}/*.wgsl",
     "!../{shapes,lights}/mesh.wgsl",
-    "!../lobes/{multiscatter,refraction,roughRefraction,roughWall,diffuseTransmission}.wgsl",
-    "!../wgsl/{tree,textures,coverage,lens,baseline,pick,medium,dispersion}.wgsl",
+    "!../lobes/{multiscatter,refraction,roughRefraction,roughWall,diffuseTransmission,sheen,clearcoat,anisotropy,iridescence}.wgsl",
+    "!../wgsl/{tree,textures,coverage,lens,baseline,pick,medium,dispersion,stretch}.wgsl",
   ],
   { query: "?raw", import: "default", eager: true },
 );
@@ -16,8 +16,8 @@ const AT_ONCE = import.meta.glob<string>(
 const ON_DEMAND = import.meta.glob<string>(
   [
     "../{shapes,lights}/mesh.wgsl",
-    "../lobes/{multiscatter,refraction,roughRefraction,roughWall,diffuseTransmission}.wgsl",
-    "../wgsl/{tree,textures,coverage,lens,baseline,pick,medium,dispersion}.wgsl",
+    "../lobes/{multiscatter,refraction,roughRefraction,roughWall,diffuseTransmission,sheen,clearcoat,anisotropy,iridescence}.wgsl",
+    "../wgsl/{tree,textures,coverage,lens,baseline,pick,medium,dispersion,stretch}.wgsl",
   ],
   { query: "?raw", import: "default" },
 );

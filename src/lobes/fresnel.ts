@@ -14,15 +14,20 @@ const LEAST_ALPHA = 2 ** -24;
 const LEAST_BEND = 1e-3;
 
 /** A dielectric of ior 1 or of strength 0 has no interface: it is Lambert only. */
-function hasInterface({ metallic, ior, specular }: ResolvedMaterial): boolean {
+export function hasInterface({ metallic, ior, specular }: ResolvedMaterial): boolean {
   return metallic > 0 || (ior !== 1 && specular > 0);
+}
+
+/** Whether microfacets of this α are a perfect mirror. */
+export function isMirrorAlpha(alpha: number): boolean {
+  return alpha < LEAST_ALPHA;
 }
 
 /** Width of the microfacets' distribution; 0 is a perfect mirror. */
 export function alphaOf(material: ResolvedMaterial): number {
   const alpha = material.roughness ** 2;
   const isClear = isSolid(material) && Math.abs(material.ior - 1) < LEAST_BEND;
-  return alpha < LEAST_ALPHA || isClear ? 0 : alpha;
+  return isMirrorAlpha(alpha) || isClear ? 0 : alpha;
 }
 
 /** Has an interface of microfacets. */

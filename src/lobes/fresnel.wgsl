@@ -2,7 +2,8 @@
 //
 // [1] Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15
 // [2] Born, Wolf 1999, "Principles of Optics", 7th ed., section 1.5.2
-import package::minMax::greater;
+import package::lobes::iridescence::filmReflectance;
+import package::minMax::{greater, greatest};
 import package::scene::Bsdf;
 
 // Microfacets of a smaller α are a mirror: see fresnel.ts.
@@ -46,7 +47,15 @@ fn interfaceAt(bsdf: Bsdf, cosTheta: f32) -> Interface {
   @if(REFRACTIVE) {
     if (bsdf.eta > 0.0) { weight = dielectricWeight(cosTheta, bsdf.eta); }
   }
-  return Interface(schlickFresnel(bsdf, weight), transmittance(bsdf, weight));
+  var result = Interface(schlickFresnel(bsdf, weight), transmittance(bsdf, weight));
+  @if(IRIDESCENCE) {
+    if (bsdf.iridescence > 0.0) {
+      let film = filmReflectance(cosTheta, bsdf.filmIor, bsdf.filmThickness, bsdf.F0);
+      result.F = mix(result.F, film, bsdf.iridescence);
+      result.through = mix(result.through, 1.0 - greatest(film), bsdf.iridescence);
+    }
+  }
+  return result;
 }
 
 @if(SPECULAR)

@@ -1,4 +1,4 @@
-// GGX (Trowbridge–Reitz) microfacets, isotropic, as a reflection lobe.
+// GGX (Trowbridge–Reitz) microfacets as a reflection lobe, isotropic; see anisotropy.wgsl.
 //
 // Directions are unit, in the local frame (z = n), both above the surface. wo points to the viewer, wi to the light,
 // wm is the microfacet normal. alpha > 0.
@@ -8,6 +8,7 @@
 // [3] Dupuy, Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"
 // [4] Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering"
 import package::constants::{LEAST_COMPONENT, PI};
+import package::lobes::anisotropy::{alphasOf, stretchedD, stretchedSample, stretchedSlope};
 import package::directions::circle;
 import package::lobes::fresnel::{fresnelShare, luminance, schlickFresnel};
 import package::lobes::lobe::{BsdfValue, Directions, LEAST_COSINE};
@@ -20,7 +21,20 @@ fn ggxShare(bsdf: Bsdf, wo: vec3f) -> f32 {
   @if(MIRROR) return select(0.0, fresnelShare(bsdf, wo), bsdf.alpha > 0.0);
 }
 
-@if(ROUGH)
+// Anisotropic surfaces have Smith's masking. A perfect mirror is not stretched.
+@if(ROUGH && ANISOTROPY)
+fn ggxValue(bsdf: Bsdf, at: Directions) -> BsdfValue {
+  if (bsdf.alpha == 0.0) { return BsdfValue(vec3f(0.0), 0.0); }
+  @if(!EXACT_FRESNEL) var F = schlickFresnel(bsdf, at.schlick);
+  @if(EXACT_FRESNEL) var F = at.F;
+  @if(MULTISCATTER) F *= bsdf.gain;
+  let D = microfacetD(bsdf, at.wm);
+  let slopeO = microfacetSlope(bsdf, at.wo);
+  let visibility = 0.5 / (at.wi.z * slopeO + at.wo.z * microfacetSlope(bsdf, at.wi));
+  return BsdfValue(F * (D * visibility * at.wi.z), D * 0.5 / (at.wo.z + slopeO));
+}
+
+@if(ROUGH && !ANISOTROPY)
 fn ggxValue(bsdf: Bsdf, at: Directions) -> BsdfValue {
   @if(!EXACT_FRESNEL) var F = schlickFresnel(bsdf, at.schlick);
   @if(EXACT_FRESNEL) var F = at.F;
@@ -38,7 +52,8 @@ fn ggxValue(bsdf: Bsdf, at: Directions) -> BsdfValue {
 
 @if(ROUGH)
 fn ggxDirection(bsdf: Bsdf, wo: vec3f, u: vec2f) -> vec3f {
-  return reflect(-wo, ggxSample(wo, bsdf.alpha, u));
+  @if(!ANISOTROPY) return reflect(-wo, ggxSample(wo, bsdf.alpha, u));
+  @if(ANISOTROPY) return reflect(-wo, microfacetSample(bsdf, wo, u));
 }
 
 // The square of the least width of a lobe that a light is weighed by.
@@ -49,13 +64,32 @@ const OPPOSITE2 = 1e-30;
 
 fn ggxExpect(bsdf: Bsdf, wo: vec3f, wi: vec3f, cosI: f32, size: f32) -> f32 {
   // Microfacets turn by half the angle: the light widens their distribution. The least width keeps weights finite.
-  let alpha = sqrt(greater(bsdf.alpha * bsdf.alpha + 0.25 * size * size, LEAST_WIDTH2));
+  @if(!ANISOTROPY) let alpha = sqrt(greater(bsdf.alpha * bsdf.alpha + 0.25 * size * size, LEAST_WIDTH2));
+  @if(ANISOTROPY) let alpha = sqrt(greater(bsdf.alphaAlong * bsdf.alphaAlong + 0.25 * size * size, LEAST_WIDTH2));
   let h = wo + wi;
   let wm = select(vec3f(0.0, 0.0, 1.0), normalize(h), dot(h, h) > OPPOSITE2);
   var glossy = ggxD(wm, alpha) * ggxVisibility(greater(wo.z, LEAST_COSINE), cosI, alpha);
   @if(MIRROR) glossy = select(0.0, glossy, bsdf.alpha > 0.0); // light samples never find a mirror's direction
   // Even black metal reflects at grazing angles.
   return greater(luminance(bsdf.F0), 0.01 * bsdf.f90) * glossy;
+}
+
+// Density of a surface's microfacet normals, per steradian.
+fn microfacetD(bsdf: Bsdf, wm: vec3f) -> f32 {
+  @if(!ANISOTROPY) return ggxD(wm, bsdf.alpha);
+  @if(ANISOTROPY) return stretchedD(wm, alphasOf(bsdf));
+}
+
+// cos·(1 + 2Λ) of a surface; see ggxSlope.
+fn microfacetSlope(bsdf: Bsdf, w: vec3f) -> f32 {
+  @if(!ANISOTROPY) return ggxSlope(w.z, bsdf.alpha);
+  @if(ANISOTROPY) return stretchedSlope(w, alphasOf(bsdf));
+}
+
+// A surface's microfacet normal visible from wo.
+fn microfacetSample(bsdf: Bsdf, wo: vec3f, u: vec2f) -> vec3f {
+  @if(!ANISOTROPY) return ggxSample(wo, bsdf.alpha, u);
+  @if(ANISOTROPY) return stretchedSample(wo, alphasOf(bsdf), u);
 }
 
 // Density of microfacet normals, per steradian. [1] eq. 33, with 1 − cos² written as sin² so that it survives alpha → 0

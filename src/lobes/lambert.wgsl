@@ -8,9 +8,9 @@ import package::lobes::lobe::{BsdfSample, BsdfValue, Directions};
 import package::minMax::greater;
 import package::scene::Bsdf;
 
-@if(SPECULAR)
 fn lambertShare(bsdf: Bsdf, wo: vec3f) -> f32 {
-  @if(!EXACT_FRESNEL) return luminance(bsdf.diffuse) * transmittance(bsdf, schlickWeight(wo.z));
+  @if(!SPECULAR) return luminance(bsdf.diffuse);
+  @if(SPECULAR && !EXACT_FRESNEL) return luminance(bsdf.diffuse) * transmittance(bsdf, schlickWeight(wo.z));
   @if(EXACT_FRESNEL) return luminance(bsdf.diffuse) * transmittanceAt(bsdf, wo.z);
 }
 

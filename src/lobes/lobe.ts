@@ -12,8 +12,8 @@ export type MaterialFeatures = Readonly<Record<string, boolean>>;
 export type Column = {
   /** What the shader reads it for; it has no column without. */
   readonly when: (features: MaterialFeatures) => boolean;
-  /** A texture that multiplies it: by its colour, which is sRGB, or by one of its numbers. */
-  readonly texture?: readonly [field: TextureField, part: "color" | "r" | "g" | "b" | "a"];
+  /** A texture that multiplies it: by its colour, which is sRGB, or by one of its numbers, and that leaves at least so much of it. */
+  readonly texture?: readonly [field: TextureField, part: "color" | "r" | "g" | "b" | "a", least?: number];
 } & (
   | { readonly type: "f32"; readonly of: (material: ResolvedMaterial) => number }
   | { readonly type: "vec3f"; readonly of: (material: ResolvedMaterial) => Vec3 }

@@ -62,8 +62,8 @@ fn exactDirections(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> Directions {
 
 // Nothing is reflected below the surface.
 fn aboveOnly(value: BsdfValue, at: Directions) -> BsdfValue {
-  @if(!SPECULAR) return value;
-  @if(SPECULAR) {
+  @if(!SPECULAR && !SHEEN && !COAT) return value;
+  @if(SPECULAR || SHEEN || COAT) {
     let isAbove = (at.wo.z > LEAST_COSINE) & (at.wi.z > LEAST_COSINE);
     return BsdfValue(select(vec3f(0.0), value.f, isAbove), select(0.0, value.pdf, isAbove));
   }

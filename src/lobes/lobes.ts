@@ -3,16 +3,20 @@
 import type { ResolvedMaterial, Vec3 } from "../scene/schema";
 import { BLACK } from "../scene/shown";
 import { absorption } from "./absorption";
+import { anisotropy, stretch } from "./anisotropy";
+import { clearcoat, mirrorCoat } from "./clearcoat";
 import { coverage } from "./coverage";
 import { diffuseTransmission } from "./diffuseTransmission";
 import { fresnel } from "./fresnel";
 import { ggx } from "./ggx";
+import { hasFilm, iridescence } from "./iridescence";
 import { lambert } from "./lambert";
 import type { Column, Layer, Lobe, MaterialFeatures, MaterialPart } from "./lobe";
 import { mirror } from "./mirror";
 import { refraction } from "./refraction";
 import { roughRefraction } from "./roughRefraction";
 import { roughWall } from "./roughWall";
+import { sheen } from "./sheen";
 import { sides } from "./sides";
 import { isSolid, transmission } from "./transmission";
 
@@ -22,11 +26,16 @@ import { isSolid, transmission } from "./transmission";
  */
 const LOBES = {
   ...{ lambert, diffuseTransmission, ggx, roughRefraction, roughWall, mirror, refraction },
+  ...{ sheen, clearcoat, mirrorCoat },
 } as const satisfies Readonly<Record<string, Lobe>>;
 
 /** What `Bsdf` is made of, and what only the table of materials has. */
-const OF_BSDF = { fresnel, transmission, ...LOBES } as const satisfies Readonly<Record<string, MaterialPart>>;
-const PARTS = { ...OF_BSDF, coverage, sides, absorption } as const satisfies Readonly<Record<string, MaterialPart>>;
+const OF_BSDF = { fresnel, anisotropy, iridescence, transmission, ...LOBES } as const satisfies Readonly<
+  Record<string, MaterialPart>
+>;
+const PARTS = { ...OF_BSDF, coverage, sides, absorption, stretch } as const satisfies Readonly<
+  Record<string, MaterialPart>
+>;
 
 type Parts = typeof PARTS;
 type FeatureName = { [P in keyof Parts]: keyof Parts[P]["features"] }[keyof Parts];
@@ -44,7 +53,7 @@ export function lobeFeatures(materials: readonly ResolvedMaterial[]) {
     // Some surface has several lobes.
     LOBES: all.some((material) => lobesOf(material).length > 1),
     // Some reflectance is another than Schlick's.
-    EXACT_FRESNEL: all.some((material) => isSolid(material)),
+    EXACT_FRESNEL: all.some((material) => isSolid(material) || hasFilm(material)),
     // Some lobe's directions are those below the surface.
     BELOW: all.some((material) => lobesOf(material).some(({ isBelow }) => isBelow)),
   };

@@ -6,7 +6,7 @@
 // [1] Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces"
 // [2] Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2)
 import package::lobes::fresnel::{luminance, refractedCos2, transmittanceAt};
-import package::lobes::ggx::{ggxD, ggxSample, ggxSlope, ggxVisibility};
+import package::lobes::ggx::{ggxD, ggxVisibility, microfacetD, microfacetSample, microfacetSlope};
 import package::lobes::lobe::{BsdfValue, Directions, LEAST_COSINE};
 import package::minMax::greater;
 import package::scene::Bsdf;
@@ -29,15 +29,15 @@ fn roughRefractionValue(bsdf: Bsdf, at: Directions) -> BsdfValue {
   let across = cosO - bsdf.eta * cosI;
   let jacobian = bsdf.eta * bsdf.eta * cosI / (across * across);
   // Visible normals: G1·D·(wo·wm) / cosO, with G1 = 2·cos / (cos + slope). [2] eq. 2, 3
-  let slope = ggxSlope(at.wo.z, bsdf.alpha);
-  let pdf = 2.0 * cosO * ggxD(wm, bsdf.alpha) * jacobian / (at.wo.z + slope);
-  let shadowing = 2.0 * -at.wi.z / (ggxSlope(-at.wi.z, bsdf.alpha) - at.wi.z);
+  let slope = microfacetSlope(bsdf, at.wo);
+  let pdf = 2.0 * cosO * microfacetD(bsdf, wm) * jacobian / (at.wo.z + slope);
+  let shadowing = 2.0 * -at.wi.z / (microfacetSlope(bsdf, at.wi) - at.wi.z);
   return BsdfValue(bsdf.transmitted * (transmittanceAt(bsdf, cosO) * shadowing * pdf), pdf);
 }
 
 // Zero for total reflection.
 fn roughRefractionDirection(bsdf: Bsdf, wo: vec3f, u: vec2f) -> vec3f {
-  let wm = ggxSample(wo, bsdf.alpha, u);
+  let wm = microfacetSample(bsdf, wo, u);
   let inverse = 1.0 / select(1.0, bsdf.eta, bsdf.eta > 0.0);
   let cosO = dot(wo, wm);
   let cos2 = refractedCos2(cosO, 1.0 / inverse);

@@ -3,7 +3,7 @@
 //
 // Directions are unit, in the local frame (z = n, on wo's side); wi is below the surface. alpha > 0.
 import package::lobes::fresnel::{luminance, transmittance, transmittanceAt};
-import package::lobes::ggx::{ggxD, ggxExpect, ggxPdf, ggxSample, ggxVisibility};
+import package::lobes::ggx::{ggxExpect, microfacetD, microfacetSample, microfacetSlope};
 import package::lobes::lobe::{BsdfValue, Directions};
 import package::scene::Bsdf;
 
@@ -19,13 +19,16 @@ fn roughWallValue(bsdf: Bsdf, at: Directions) -> BsdfValue {
   let cosI = -at.wi.z;
   @if(!EXACT_FRESNEL) let through = transmittance(bsdf, at.schlick);
   @if(EXACT_FRESNEL) let through = at.through;
-  let value = through * ggxD(at.wm, bsdf.alpha) * ggxVisibility(at.wo.z, cosI, bsdf.alpha) * cosI;
-  let pdf = ggxPdf(at.wo.z, at.wm, bsdf.alpha);
+  let D = microfacetD(bsdf, at.wm);
+  let slopeO = microfacetSlope(bsdf, at.wo);
+  let visibility = 0.5 / (cosI * slopeO + at.wo.z * microfacetSlope(bsdf, vec3f(at.wi.xy, cosI)));
+  let value = through * D * visibility * cosI;
+  let pdf = D * 0.5 / (at.wo.z + slopeO);
   return BsdfValue(select(vec3f(0.0), bsdf.transmitted * value, isRoughWall(bsdf)), select(0.0, pdf, isRoughWall(bsdf)));
 }
 
 fn roughWallDirection(bsdf: Bsdf, wo: vec3f, u: vec2f) -> vec3f {
-  let wi = reflect(-wo, ggxSample(wo, bsdf.alpha, u));
+  let wi = reflect(-wo, microfacetSample(bsdf, wo, u));
   return vec3f(wi.xy, -wi.z);
 }
 

@@ -51,6 +51,7 @@ export const transmission = {
     },
   },
   derived: {
+    eta: { type: "f32", when: whenRefractive, from: "package::surface::etaSeen(bsdf)" },
     transmitted: {
       type: "vec3f",
       when: ({ TRANSMISSION }) => TRANSMISSION!,

@@ -7,7 +7,7 @@
 import package::constants::NONE;
 import package::minMax::{greater, lesser};
 import package::ray::Ray;
-import package::scene::{COLOR_AT, Factors, TANGENT_AT, UVS1_AT, VERTEX_STRIDE, factorsOf, textureOf};
+import package::scene::{COLOR_AT, TANGENT_AT, UVS1_AT, VERTEX_STRIDE, coatNormalScaleOf, factorsOf, textureOf};
 import package::textures::{dataAt, uvTurned};
 import package::tree::{Item, TURNED_TRIANGLE};
 import package::uvs::Uvs;
@@ -49,6 +49,11 @@ struct MeshPoint {
   @if(SHADING_NORMALS) shading: vec3f,
   // Interpolated alone, unit, on n's side, where a texture bends it.
   @if(SMOOTH && NORMAL_TEXTURES) smoothN: vec3f,
+  // Interpolated, and bent by the texture of a clear coat, unit, on n's side.
+  @if(COAT_NORMAL) coatN: vec3f,
+  // The way of growing u along the front, and across it, of any length; zero where there is none.
+  @if(MESH_STRETCH) tangent: vec3f,
+  @if(MESH_STRETCH) bitangent: vec3f,
   // From p to the smooth surface that the vertices' normals tell of, on the side of the ray's origin; zero where that is hollow. [4]
   @if(SMOOTH) lift: vec3f,
   // Interpolated.
@@ -85,6 +90,14 @@ fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
   found.clearance = dot(abs(normal), error);
   @if(TEXTURES) found.uv = uvAt(slot, weights);
   @if(COLORS) found.color = colorOn(slot, weights);
+  @if(COAT_NORMAL) found.coatN = found.n;
+  @if(MESH_STRETCH) {
+    @if(!STRETCH_TEXTURES) let texture = NONE;
+    @if(STRETCH_TEXTURES) let texture = factorsOf(item.id).anisotropyTexture;
+    let tangents = tangentsAt(slot, weights, texture, found.n, e1, e2);
+    found.tangent = tangents.t;
+    found.bitangent = tangents.b;
+  }
   @if(SHADING_NORMALS) {
     var shading = found.n;
     @if(SMOOTH) {
@@ -94,11 +107,17 @@ fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
       let nc = vertexNormal(slot, 2u);
       shading = interpolatedNormal(weights.x * na + weights.y * nb + weights.z * nc, found.n);
       @if(NORMAL_TEXTURES) found.smoothN = select(shading, -shading, dot(shading, found.n) < 0.0);
+      @if(COAT_NORMAL) found.coatN = found.smoothN;
       found.lift = weights.x * liftTo(side * dot(found.p - item.a, na), side * na) +
         weights.y * liftTo(side * dot(found.p - item.b, nb), side * nb) +
         weights.z * liftTo(side * dot(found.p - item.c, nc), side * nc);
     }
-    @if(NORMAL_TEXTURES) shading = texturedNormal(slot, weights, factorsOf(item.id), found.uv, shading, e1, e2);
+    @if(NORMAL_TEXTURES || COAT_NORMAL_TEXTURE) let factors = factorsOf(item.id);
+    @if(COAT_NORMAL_TEXTURE) {
+      let bent = texturedNormal(slot, weights, factors.clearcoatNormalTexture, coatNormalScaleOf(item.id), found.uv, shading, e1, e2);
+      found.coatN = select(bent, -bent, dot(bent, found.n) < 0.0);
+    }
+    @if(NORMAL_TEXTURES) shading = texturedNormal(slot, weights, factors.normalTexture, factors.normalScale, found.uv, shading, e1, e2);
     found.shading = select(shading, -shading, dot(shading, found.n) < 0.0);
   }
   return found;
@@ -160,17 +179,25 @@ fn quadOn(slot: u32, weights: vec3f, at: u32) -> vec4f {
   return sum;
 }
 
-// The normal that a texture tells, in glTF's tangent space: x along growing u, y along falling v. e1 and e2 are the triangle's
-// edges from its first vertex, in any unit.
-@if(NORMAL_TEXTURES)
-fn texturedNormal(slot: u32, weights: vec3f, factors: Factors, uv: Uvs, n: vec3f, e1: vec3f, e2: vec3f) -> vec3f {
+// The directions of a texture along a surface of normal n, in glTF's tangent space: along growing u, and along falling v. Unit;
+// zero where the texture is stretched over no area.
+struct Tangents {
+  t: vec3f,
+  b: vec3f,
+}
+
+// Of the texture's coordinates; NONE for the first ones as they are. e1 and e2 are the triangle's edges from its first vertex, in any unit.
+fn tangentsAt(slot: u32, weights: vec3f, texture: u32, n: vec3f, e1: vec3f, e2: vec3f) -> Tangents {
   @if(!UV_TRANSFORMS) let d1 = vertexPart(slot, 1u, 0u) - vertexPart(slot, 0u, 0u);
   @if(!UV_TRANSFORMS) let d2 = vertexPart(slot, 2u, 0u) - vertexPart(slot, 0u, 0u);
-  @if(UV_TRANSFORMS) if (factors.normalTexture == NONE) { return n; }
-  @if(UV_TRANSFORMS) let texture = textureOf(factors.normalTexture);
-  @if(UV_TRANSFORMS) let at = texture.uv * UVS1_AT;
-  @if(UV_TRANSFORMS) let d1 = uvTurned(texture, vertexPart(slot, 1u, at) - vertexPart(slot, 0u, at));
-  @if(UV_TRANSFORMS) let d2 = uvTurned(texture, vertexPart(slot, 2u, at) - vertexPart(slot, 0u, at));
+  @if(UV_TRANSFORMS) var at = 0u;
+  @if(UV_TRANSFORMS) if (texture != NONE) { at = textureOf(texture).uv * UVS1_AT; }
+  @if(UV_TRANSFORMS) var d1 = vertexPart(slot, 1u, at) - vertexPart(slot, 0u, at);
+  @if(UV_TRANSFORMS) var d2 = vertexPart(slot, 2u, at) - vertexPart(slot, 0u, at);
+  @if(UV_TRANSFORMS) if (texture != NONE) {
+    d1 = uvTurned(textureOf(texture), d1);
+    d2 = uvTurned(textureOf(texture), d2);
+  }
   let turn = sign(d1.x * d2.y - d1.y * d2.x);
   let alongU = (e1 * d2.y - e2 * d1.y) * turn;
   let alongV = (e2 * d1.x - e1 * d2.x) * turn;
@@ -179,15 +206,21 @@ fn texturedNormal(slot: u32, weights: vec3f, factors: Factors, uv: Uvs, n: vec3f
   @if(TANGENTS) let along = select(alongU, given.xyz, given.w != 0.0);
   let flat = along - dot(along, n) * n;
   let size = length(flat);
-  // Where the texture is stretched over no area, it has no directions.
-  if (factors.normalTexture == NONE || size < NO_DIRECTION) { return n; }
+  if (size < NO_DIRECTION) { return Tangents(vec3f(0.0), vec3f(0.0)); }
   let tangent = flat / size;
   let side = cross(n, tangent);
   @if(!TANGENTS) let isOther = dot(side, alongV) > 0.0;
   @if(TANGENTS) let isOther = select(dot(side, alongV) > 0.0, given.w < 0.0, given.w != 0.0);
-  let bitangent = select(side, -side, isOther);
-  let told = 2.0 * dataAt(factors.normalTexture, uv) - 1.0;
-  let bent = factors.normalScale * (told.x * tangent + told.y * bitangent) + told.z * n;
+  return Tangents(tangent, select(side, -side, isOther));
+}
+
+// The normal that a texture tells.
+fn texturedNormal(slot: u32, weights: vec3f, texture: u32, scale: f32, uv: Uvs, n: vec3f, e1: vec3f, e2: vec3f) -> vec3f {
+  if (texture == NONE) { return n; }
+  let along = tangentsAt(slot, weights, texture, n, e1, e2);
+  if (all(along.t == vec3f(0.0))) { return n; }
+  let told = 2.0 * dataAt(texture, uv) - 1.0;
+  let bent = scale * (told.x * along.t + told.y * along.b) + told.z * n;
   return normalize(select(bent, n, dot(bent, bent) < NO_DIRECTION));
 }
 

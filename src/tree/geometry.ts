@@ -80,7 +80,15 @@ export async function prepareGeometry(
   if (meshes.length + treeShapes.length === 0) return undefined;
   const emits = (object: MeshObject) => emissionOf(scene.materials[object.material]!).some((value) => value > 0);
   const emitting = meshes.flatMap(({ object, id }) => (emits(object) ? [id] : []));
-  if (previous && isSame(previous, meshes, treeShapes, origin) && haveSameTexels(previous.textures, scene.textures)) {
+  const usesUvs =
+    Object.keys(scene.textures).length > 0 || Object.values(scene.materials).some(({ anisotropy }) => anisotropy > 0);
+  const hasLayout = (previous?.vertexLayout.uvs !== undefined) === usesUvs;
+  if (
+    previous &&
+    hasLayout &&
+    isSame(previous, meshes, treeShapes, origin) &&
+    haveSameTexels(previous.textures, scene.textures)
+  ) {
     return areEqual(emitting, previous.emitting) ? previous : withLights(previous, emitting);
   }
 
@@ -102,7 +110,7 @@ export async function prepareGeometry(
   const shapes = new Map(treeShapes.map(({ id }, i) => [id, slotOf[triangleCount + i]!]));
   const { textures } = scene;
   const texels = texelParts(textures);
-  const vertexLayout = vertexLayoutOf(parts, texels !== undefined);
+  const vertexLayout = vertexLayoutOf(parts, usesUvs);
   const data = { nodes: packTree(bvh), ...packItems(parts, treeShapes, slotOf, vertexLayout), texels };
   const { depth } = bvh;
   return withLights(

@@ -8,22 +8,23 @@ import type { MeshPart } from "./meshPart";
 export type VertexLayout = {
   /** Pairs of a vertex. */
   readonly stride: number;
-  /** Where in a vertex they start; undefined where no mesh has them. */
+  /** Where in a vertex they start; undefined where no mesh has them or nothing asks for them. */
+  readonly uvs?: number;
   readonly colors?: number;
   readonly tangents?: number;
   readonly uvs1?: number;
 };
 
-/** Undefined where there is nothing. */
-export function vertexLayoutOf(parts: readonly MeshPart[], hasTextures: boolean): VertexLayout {
-  let stride = hasTextures ? 1 : 0;
+/** @param usesUvs - whether anything asks for texture coordinates and tangents. */
+export function vertexLayoutOf(parts: readonly MeshPart[], usesUvs: boolean): VertexLayout {
+  let stride = usesUvs ? 1 : 0;
   const place = (field: "colors" | "tangents" | "uvs1", pairs: number) => {
     if (!parts.some(({ object }) => object[field] !== undefined)) return {};
     stride += pairs;
     return { [field]: stride - pairs };
   };
   const colors = place("colors", 2);
-  const ofTextures = hasTextures ? { ...place("tangents", 2), ...place("uvs1", 1) } : {};
+  const ofTextures = usesUvs ? { uvs: 0, ...place("tangents", 2), ...place("uvs1", 1) } : {};
   return { stride, ...colors, ...ofTextures };
 }
 
@@ -38,7 +39,7 @@ export function writeVertex(
   const write = (values: Float32Array, size: number, pair: number) => {
     for (let i = 0; i < size; i++) floats[at + 2 * pair + i] = values[size * vertex + i]!;
   };
-  if (uvs && layout.stride > 0) write(uvs, 2, 0);
+  if (uvs && layout.uvs !== undefined) write(uvs, 2, layout.uvs);
   if (uvs1 && layout.uvs1 !== undefined) write(uvs1, 2, layout.uvs1);
   if (tangents && layout.tangents !== undefined) write(tangents, 4, layout.tangents);
   if (layout.colors === undefined) return;

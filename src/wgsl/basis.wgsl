@@ -16,6 +16,15 @@ fn frameAround(n: vec3f) -> Frame {
   return Frame(vec3f(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3f(b, s + n.y * n.y * a, -n.y), n);
 }
 
+// The frame whose t is as close to a direction as can be: any where the two are parallel.
+fn frameAlong(direction: vec3f, n: vec3f) -> Frame {
+  let t = direction - dot(direction, n) * n;
+  let size = length(t);
+  if (size < 1e-6) { return frameAround(n); }
+  let unit = t / size;
+  return Frame(unit, cross(n, unit), n);
+}
+
 fn toLocal(frame: Frame, v: vec3f) -> vec3f {
   return vec3f(dot(v, frame.t), dot(v, frame.b), dot(v, frame.n));
 }

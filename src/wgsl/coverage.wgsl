@@ -4,6 +4,7 @@
 // Of what is there a clear wall lets some light pass straight. A path does so by chance; of light from a lamp, which goes
 // through all walls on its way, each takes its share.
 import package::lobes::fresnel::transmittanceAt;
+import package::minMax::greatest;
 import package::ray::{Hit, Ray, between};
 import package::sampler::{Sampler, pcg3d, unitInterval};
 import package::scene::{PRIMITIVES, coverageOf, coverTextureOf, cutoffOf, isClearOf, occluded};
@@ -51,7 +52,7 @@ var<private> tint: vec3f;
 fn passesWall(ray: Ray, t: f32, id: u32) -> bool {
   @if(PICK) return false;
   @if(!PICK) {
-    let chance = passChance(wallAt(ray, t, id));
+    let chance = greatest(wallAt(ray, t, id));
     return unitInterval(pcg3d(vec3u(chances.x ^ (id * 0x85ebca6bu), chances.y, bitcast<u32>(t))).y) < chance;
   }
 }
@@ -61,12 +62,8 @@ fn passesWall(ray: Ray, t: f32, id: u32) -> bool {
 fn shinesThrough(ray: Ray, t: f32, id: u32) -> bool {
   let through = wallAt(ray, t, id);
   clearness *= through;
-  @if(COLORED_WALLS) tint *= through / select(1.0, passChance(through), passChance(through) > 0.0);
+  @if(COLORED_WALLS) tint *= through / select(1.0, greatest(through), greatest(through) > 0.0);
   return any(through > vec3f(0.0));
-}
-
-fn passChance(through: vec3f) -> f32 {
-  return max(max(through.r, through.g), through.b);
 }
 
 // What a wall lets pass straight of the light along a ray; nothing if it is none.
@@ -91,7 +88,7 @@ fn throughWall(ray: Ray, found: SurfacePoint) -> vec3f {
 // A path that met a wall did so for all that would have met it.
 @if(CLEAR_WALLS)
 fn oddsOf(ray: Ray, found: SurfacePoint) -> f32 {
-  let met = 1.0 - passChance(throughWall(ray, found));
+  let met = 1.0 - greatest(throughWall(ray, found));
   return select(0.0, 1.0 / met, met > 0.0);
 }
 

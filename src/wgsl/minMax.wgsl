@@ -7,3 +7,8 @@ fn lesser(a: f32, b: f32) -> f32 {
 fn greater(a: f32, b: f32) -> f32 {
   return select(b, a, a > b);
 }
+
+// The greatest of three.
+fn greatest(c: vec3f) -> f32 {
+  return greater(greater(c.x, c.y), c.z);
+}

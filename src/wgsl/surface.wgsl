@@ -1,17 +1,20 @@
 // What a ray finds where it hits.
 //
 // [1] Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II ch. 4
-import package::basis::{Frame, frameAround, toLocal};
+import package::basis::{Frame, frameAlong, frameAround, toLocal};
 import package::constants::{LEAST_COMPONENT, NONE};
 import package::coverage::oddsOf;
 import package::lights::sphere::sphereLightPdf;
+import package::lobes::clearcoat::coatOut;
 import package::lobes::fresnel::LEAST_ALPHA;
+import package::lobes::iridescence::filmThickness;
 import package::minMax::greater;
 import package::ray::{Hit, Ray, makeRay};
 import package::scene::{Bsdf, doubleSidedOf, emissionOf, factorsOf, lightDensityOf, materialOf, seenFrom, textured, unlitOf};
 import package::shapes::mesh::consistentNormal;
 import package::surfacePoint::{SurfacePoint, otherSourceAt, sourceAt, surfacePoint};
 import package::textures::{colorAt, dataAt};
+import package::stretch::stretchAlong;
 import package::uvs::Uvs;
 
 // Cosine of the angle from which on rays start on the smooth surface: Cycles' default.
@@ -61,19 +64,25 @@ fn surfaceAt(ray: Ray, hit: Hit) -> Surface {
     let shading = select(-found.shading, found.shading, found.front);
     n = select(n, consistentNormal(shading, n, -ray.d), found.isTriangle);
   }
-  surface.frame = frameAround(n);
+  @if(!ANISOTROPY) surface.frame = frameAround(n);
+  @if(ANISOTROPY) surface.frame = frameAlong(stretchAlong(found), n);
   surface.wo = toLocal(surface.frame, -ray.d);
   var uv = Uvs(0.0);
   @if(TEXTURES) uv = found.uv;
   var color = vec3f(1.0);
   @if(COLORS) color = found.color.rgb;
   @if(REFRACTIVE) seesFront = found.front;
+  @if(COAT_NORMAL) {
+    let side = select(-1.0, 1.0, found.front);
+    coatNormal = toLocal(surface.frame, consistentNormal(side * found.coatN, side * found.n, -ray.d));
+  }
   surface.bsdf = bsdfOf(found.id, surface.wo, uv, color);
   @if(EMISSION) {
     @if(!DOUBLE_SIDED) surface.Le = select(vec3f(0.0), emissionOf(found.id), found.front);
     @if(DOUBLE_SIDED) surface.Le = select(vec3f(0.0), emissionOf(found.id), found.front || doubleSidedOf(found.id) > 0.0);
     @if(UNLIT_COLORS) surface.Le *= select(vec3f(1.0), found.color.rgb, unlitOf(found.id) > 0.0);
     @if(EMISSION_TEXTURES) surface.Le *= colorAt(factorsOf(found.id).emissionTexture, uv);
+    @if(COAT) surface.Le *= coatOut(surface.bsdf, surface.wo);
     surface.lightPdf = lightPdf(lightDensityOf(found.id), ray, hit.t, found);
   }
   surface.source = sourceAt(found, hit);
@@ -116,11 +125,22 @@ fn leaves(surface: Surface, wi: vec3f) -> bool {
   @if(SMOOTH && !NORMAL_TEXTURES) return true; // no lobe sends light below n
 }
 
-// Which side of a solid the next bsdfOf() is asked for, and how far the path's colour is from the middle of the spectrum.
+// What the next bsdfOf() is asked for: which side of a solid; how far the path's colour is from the middle of the spectrum; the normal of
+// a clear coat, in the local frame.
 @if(REFRACTIVE)
 var<private> seesFront: bool = true;
 @if(DISPERSION)
 var<private> spectralShift: f32;
+@if(COAT_NORMAL)
+var<private> coatNormal: vec3f = vec3f(0.0, 0.0, 1.0);
+
+// The index of refraction below a surface relative to the one above, on the side that is seen.
+@if(REFRACTIVE)
+fn etaSeen(bsdf: Bsdf) -> f32 {
+  @if(!DISPERSION) let eta = bsdf.eta;
+  @if(DISPERSION) let eta = bsdf.eta + spectralShift * bsdf.spread;
+  return select(eta, 1.0 / eta, !seesFront && eta > 0.0);
+}
 
 // How a primitive scatters towards the viewer, at texture coordinates and with the colour of its vertices.
 fn bsdfOf(id: u32, wo: vec3f, uv: Uvs, color: vec3f) -> Bsdf {
@@ -151,11 +171,8 @@ fn bsdfOf(id: u32, wo: vec3f, uv: Uvs, color: vec3f) -> Bsdf {
       material.alpha = select(material.alpha, max(roughness * roughness, LEAST_ALPHA), isTextured && material.alpha > 0.0);
     }
     @if(MULTISCATTER) material.multiscatter *= data.b;
+    @if(FILM_TEXTURES) material.filmThickness = filmThickness(material, dataAt(factors.iridescenceThicknessTexture, uv).g);
     @if(TRANSLUCENT) material.translucent *= (1.0 - metallic) / greater(1.0 - factors.metallic, LEAST_COMPONENT);
-  }
-  @if(DISPERSION) material.eta += spectralShift * material.spread;
-  @if(REFRACTIVE) {
-    if (!seesFront && material.eta > 0.0) { material.eta = 1.0 / material.eta; }
   }
   return seenFrom(material, wo);
 }

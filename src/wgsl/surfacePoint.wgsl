@@ -22,6 +22,9 @@ struct SurfacePoint {
   // Of a triangle of a mesh: see MeshPoint.
   @if(SHADING_NORMALS) shading: vec3f,
   @if(SMOOTH && NORMAL_TEXTURES) smoothN: vec3f,
+  @if(COAT_NORMAL) coatN: vec3f,
+  @if(MESH_STRETCH) tangent: vec3f,
+  @if(MESH_STRETCH) bitangent: vec3f,
   @if(SMOOTH) lift: vec3f,
   @if(TEXTURES) uv: Uvs,
   // Of the vertices; white where they have none.
@@ -84,6 +87,9 @@ fn surfacePoint(ray: Ray, hit: Hit) -> SurfacePoint {
   }
   @if(SHADING_NORMALS && MESHES) found.shading = triangle.shading;
   @if(SMOOTH && NORMAL_TEXTURES) found.smoothN = select(n, triangle.smoothN, found.isTriangle);
+  @if(COAT_NORMAL) found.coatN = select(n, triangle.coatN, found.isTriangle);
+  @if(MESH_STRETCH) found.tangent = select(vec3f(0.0), triangle.tangent, found.isTriangle);
+  @if(MESH_STRETCH) found.bitangent = select(vec3f(0.0), triangle.bitangent, found.isTriangle);
   @if(SMOOTH) found.lift = triangle.lift;
   @if(TEXTURES && MESHES) found.uv = triangle.uv;
   @if(COLORS) found.color = select(vec4f(1.0), triangle.color, found.isTriangle);
