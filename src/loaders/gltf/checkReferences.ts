@@ -2,6 +2,7 @@
 
 import { LoadError } from "../../errors";
 import { MAX_UNPACKED_BYTES, MAX_VERTICES } from "../limits";
+import type { GltfTextureInfo } from "./materialSchema";
 import { isRead } from "./primitive";
 import type { GltfAccessor, GltfJson, GltfPrimitive } from "./schema";
 
@@ -46,14 +47,19 @@ export function checkReferences(json: GltfJson): void {
     checkIndex(json, "bufferViews", bufferView, `images[${i}].bufferView`);
   });
   json.materials.forEach((material, i) => {
-    const { baseColorTexture, metallicRoughnessTexture } = material.pbrMetallicRoughness ?? {};
-    const { normalTexture, emissiveTexture } = material;
-    for (const texture of [baseColorTexture, metallicRoughnessTexture, normalTexture, emissiveTexture]) {
-      checkIndex(json, "textures", texture?.index, `materials[${i}]: a texture's index`);
-    }
+    for (const [path, index] of texturesOf(material, `materials[${i}]`)) checkIndex(json, "textures", index, path);
   });
   checkMeshes(json);
   checkScenes(json);
+}
+
+/** The index of every texture below a part of a material, with its path. */
+function* texturesOf(part: object, path: string): Generator<readonly [path: string, index: number]> {
+  for (const [key, value] of Object.entries(part) as [string, unknown][]) {
+    if (typeof value !== "object" || value === null) continue;
+    if (key.endsWith("Texture")) yield [`${path}.${key}.index`, (value as GltfTextureInfo).index];
+    else yield* texturesOf(value, `${path}.${key}`);
+  }
 }
 
 type Lists = "buffers" | "bufferViews" | "accessors" | "images" | "samplers" | "textures" | "materials" | "meshes";

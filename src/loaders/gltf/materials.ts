@@ -1,19 +1,23 @@
-// Surfaces: glTF's metallic-roughness model is ours, so most of this is names and defaults.
+// The materials that meshes turn out to need, each with the textures that its mesh has texture coordinates for.
 
 import { show } from "../../scene/describe";
-import type { Material, Rgb, TextureReference } from "../../scene/schema";
+import type { Material, TextureField, TextureReference } from "../../scene/schema";
 import { wholeReference } from "../../scene/textureReference";
 import type { Warnings } from "../warnings";
+import type { GltfMaterial, GltfTextureInfo } from "./materialSchema";
 import type { GltfJson } from "./schema";
+import { type Surface, surfaceOf } from "./surface";
 import { coordinateSet, placedTexture } from "./textureCoordinates";
-import type { Textures } from "./textures";
-
-type GltfMaterial = GltfJson["materials"][number];
-type TextureField = "baseColorTexture" | "normalTexture" | "metallicRoughnessTexture" | "emissionTexture";
-type Slot = readonly [field: TextureField, texture: NonNullable<GltfMaterial["emissiveTexture"]> | undefined];
+import type { Reading, Textures } from "./textures";
 
 /** The textures that are read as sRGB; the others are data. */
-const COLORS: ReadonlySet<TextureField> = new Set(["baseColorTexture", "emissionTexture"]);
+const COLORS: ReadonlySet<TextureField> = new Set([
+  "baseColorTexture",
+  "emissionTexture",
+  "specularColorTexture",
+  "sheenColorTexture",
+  "diffuseTransmissionColorTexture",
+]);
 
 /** A material for one mesh. */
 export type ChosenMaterial = {
@@ -24,6 +28,11 @@ export type ChosenMaterial = {
 
 /** Sets of texture coordinates that a mesh of ours may have. */
 const MAX_SETS = 2;
+const NO_SET = "A texture is left out on meshes that lack its texture coordinates";
+const NO_MORE_SETS =
+  "A texture is left out because others of its material have two sets of texture coordinates already";
+
+type Shown = { readonly field: TextureField; readonly name: string; readonly texture: GltfTextureInfo };
 
 /** glTF 2.0, 3.9.6: what has no material is like this. */
 const DEFAULT: GltfMaterial = {};
@@ -33,6 +42,7 @@ export class Materials {
   readonly #json: GltfJson;
   readonly #textures: Textures;
   readonly #warnings: Warnings;
+  readonly #surfaces = new Map<number | undefined, Surface>();
   readonly #made: Record<string, Material> = Object.create(null);
   readonly #chosen = new Map<string, ChosenMaterial>();
   /** The next number to try behind a name that is taken. Every number is tried once, whatever the names. */
@@ -56,51 +66,67 @@ export class Materials {
    * @param sets - the mesh's sets of texture coordinates.
    */
   choose(index: number | undefined, sets: { has(set: number): boolean }): ChosenMaterial {
-    const material = this.#json.materials[index ?? -1] ?? DEFAULT;
-    const place = index === undefined ? "the default material" : placeOf("materials", index, material.name);
-    const shown: { field: TextureField; name: string; texture: NonNullable<Slot[1]> }[] = [];
+    const surface = this.#surfaceOf(index);
+    const shown: Shown[] = [];
     const used = new Set<number>();
-    for (const [field, texture] of slotsOf(material)) {
+    for (const [field, texture] of surface.textures) {
       if (texture === undefined) continue;
       const set = coordinateSet(texture);
-      if (!sets.has(set)) {
-        this.#warnings.add("A texture is left out on meshes that lack its texture coordinates", `${place}, ${field}`);
-      } else if (used.size === MAX_SETS && !used.has(set)) {
-        this.#warnings.add(
-          "A texture is left out because others of its material have two sets of texture coordinates already",
-          `${place}, ${field}`,
-        );
-      } else {
-        const name = this.#textures.use(texture.index, COLORS.has(field));
-        if (name === undefined) continue;
-        shown.push({ field, name, texture });
-        used.add(set);
+      const obstacle = !sets.has(set) ? NO_SET : used.size === MAX_SETS && !used.has(set) ? NO_MORE_SETS : undefined;
+      if (obstacle !== undefined) {
+        this.#warnings.add(obstacle, `${this.#placeOf(index)}, ${field}`);
+        continue;
       }
+      const name = this.#textures.use(texture.index, readingOf(field, surface));
+      if (name === undefined) continue;
+      shown.push({ field, name, texture });
+      used.add(set);
     }
-    const inOrder = [...used].sort((a, b) => a - b);
-    const references = shown.map(({ field, name, texture }) => {
-      const uv = inOrder.indexOf(coordinateSet(texture)) as 0 | 1;
-      return [field, placedTexture(name, uv, texture)] as const;
-    });
-    return this.#make(index, material, place, Object.fromEntries(references), inOrder);
+    const { tangentSet } = surface;
+    if (tangentSet !== undefined && sets.has(tangentSet) && used.size < MAX_SETS) used.add(tangentSet);
+    return this.#make(
+      index,
+      surface,
+      shown,
+      [...used].sort((a, b) => a - b),
+    );
   }
 
   #make(
     index: number | undefined,
-    material: GltfMaterial,
-    place: string,
-    textures: Partial<Record<TextureField, TextureReference>>,
+    { fields, glossiness }: Surface,
+    shown: readonly Shown[],
     sets: readonly number[],
   ): ChosenMaterial {
+    const references = shown.map(({ field, name, texture }) => {
+      return [field, placedTexture(name, sets.indexOf(coordinateSet(texture)) as 0 | 1, texture)] as const;
+    });
+    const textures: Partial<Record<TextureField, TextureReference>> = Object.fromEntries(references);
     const key = JSON.stringify([index, textures, sets]);
     const known = this.#chosen.get(key);
     if (known !== undefined) return known;
-    const wanted = material.name || (index === undefined ? "default" : `material ${index}`);
-    const name = this.#freeName(wanted);
-    this.#made[name] = { ...this.#factors(material, place), ...textures };
+    const isRoughAsPicture = glossiness !== undefined && textures.metallicRoughnessTexture !== undefined;
+    const name = this.#freeName(this.#material(index).name || (index === undefined ? "default" : `material ${index}`));
+    this.#made[name] = { ...fields, ...(isRoughAsPicture && { roughness: 1 }), ...textures };
     const chosen = { name, sets };
     this.#chosen.set(key, chosen);
     return chosen;
+  }
+
+  #surfaceOf(index: number | undefined): Surface {
+    const known = this.#surfaces.get(index);
+    if (known !== undefined) return known;
+    const surface = surfaceOf(this.#material(index), (text) => this.#warnings.add(text, this.#placeOf(index)));
+    this.#surfaces.set(index, surface);
+    return surface;
+  }
+
+  #material(index: number | undefined): GltfMaterial {
+    return this.#json.materials[index ?? -1] ?? DEFAULT;
+  }
+
+  #placeOf(index: number | undefined): string {
+    return index === undefined ? "the default material" : placeOf("materials", index, this.#material(index).name);
   }
 
   #freeName(wanted: string): string {
@@ -110,37 +136,11 @@ export class Materials {
     this.#nextNumber.set(wanted, number);
     return name;
   }
-
-  #factors(material: GltfMaterial, place: string): Material {
-    const {
-      baseColorFactor = [1, 1, 1, 1],
-      metallicFactor = 1,
-      roughnessFactor = 1,
-    } = material.pbrMetallicRoughness ?? {};
-    const { normalTexture, doubleSided } = material;
-    const emission = emissionOf(material);
-    const ior = material.extensions?.KHR_materials_ior?.ior ?? 1.5;
-    if (ior < 1) this.#warnings.add(`KHR_materials_ior: ${ior} is not supported: 1.5 takes its place`, place);
-    return {
-      baseColor: baseColorFactor.slice(0, 3).map(toFraction) as unknown as Rgb,
-      metallic: toFraction(metallicFactor),
-      roughness: toFraction(roughnessFactor),
-      ...(ior >= 1 && { ior }),
-      ...(isEmissive(emission) && { emission }),
-      ...(normalTexture?.scale !== undefined && { normalScale: normalTexture.scale }),
-      ...alphaOf(material),
-      ...(doubleSided && isEmissive(emission) && { doubleSided }),
-      ...(material.extensions?.KHR_materials_unlit && { unlit: true }),
-    };
-  }
 }
 
-/** What of a surface is there. */
-function alphaOf({ alphaMode = "OPAQUE", alphaCutoff, pbrMetallicRoughness }: GltfMaterial): Partial<Material> {
-  if (alphaMode === "OPAQUE") return {};
-  const alpha = toFraction(pbrMetallicRoughness?.baseColorFactor?.[3] ?? 1);
-  if (alphaMode === "BLEND") return { alphaMode: "blend", alpha };
-  return { alphaMode: "mask", alpha, ...(alphaCutoff !== undefined && { alphaCutoff }) };
+function readingOf(field: TextureField, { glossiness }: Surface): Reading {
+  if (field === "metallicRoughnessTexture" && glossiness !== undefined) return { glossiness };
+  return COLORS.has(field) ? "color" : "data";
 }
 
 /** Materials without the textures that turned out to have no picture: those multiply by 1. */
@@ -155,32 +155,6 @@ export function withoutMissing(
     shown[name] = Object.fromEntries(Object.entries(material).filter((entry) => !isMissing(entry))) as Material;
   }
   return shown;
-}
-
-/** In the order in which they get texture coordinates, while there are any. */
-function slotsOf(material: GltfMaterial): Slot[] {
-  const { baseColorTexture, metallicRoughnessTexture } = material.pbrMetallicRoughness ?? {};
-  const { normalTexture, emissiveTexture } = material;
-  return [
-    ["baseColorTexture", baseColorTexture],
-    ["normalTexture", normalTexture],
-    ["metallicRoughnessTexture", metallicRoughnessTexture],
-    ["emissionTexture", isEmissive(emissionOf(material)) ? emissiveTexture : undefined],
-  ];
-}
-
-/** Radiance: emission of strength 1 is 1 W·sr⁻¹·m⁻². */
-function emissionOf({ emissiveFactor = [0, 0, 0], extensions }: GltfMaterial): Rgb {
-  const strength = extensions?.KHR_materials_emissive_strength?.emissiveStrength ?? 1;
-  return emissiveFactor.map((channel) => channel * strength) as unknown as Rgb;
-}
-
-function isEmissive(emission: Rgb): boolean {
-  return emission.some((channel) => channel > 0);
-}
-
-function toFraction(value: number): number {
-  return Math.min(1, Math.max(0, value));
 }
 
 /** `materials[3] "Glass"`. */

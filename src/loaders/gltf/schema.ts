@@ -5,23 +5,10 @@
 import * as v from "valibot";
 import { LoadError } from "../../errors";
 import { formatPath, show } from "../../scene/describe";
+import { MaterialSchema } from "./materialSchema";
+import { color, count, finite, index, isFlagged, name, nonNegative, vec3, vec4 } from "./schemaParts";
 
-// The scene's numbers have to stay below 1e18 after a product of two.
-const MAX_BRIGHTNESS = 1e8;
-const MAX_UV_TRANSFORM = 1e6;
 const MAX_STRIDE = 252; // the specification's; also what meshopt can have
-
-const index = v.pipe(v.number(), v.integer(), v.minValue(0));
-const count = v.pipe(v.number(), v.integer(), v.minValue(1));
-const between = (min: number, max: number) => v.pipe(v.number(), v.minValue(min), v.maxValue(max));
-const finite = between(-1e18, 1e18);
-const nonNegative = between(0, MAX_BRIGHTNESS);
-const name = v.optional(v.string());
-const vec2 = v.tuple([between(-MAX_UV_TRANSFORM, MAX_UV_TRANSFORM), between(-MAX_UV_TRANSFORM, MAX_UV_TRANSFORM)]);
-const vec3 = v.tuple([finite, finite, finite]);
-const vec4 = v.tuple([finite, finite, finite, finite]);
-const color = v.tuple([nonNegative, nonNegative, nonNegative]);
-const isFlagged = v.optional(v.boolean());
 
 const Buffer = v.object({ uri: v.optional(v.string()), byteLength: count });
 
@@ -92,49 +79,6 @@ const Texture = v.object({
   ),
 });
 
-const textureInfo = {
-  index,
-  texCoord: v.optional(index),
-  extensions: v.optional(
-    v.object({
-      KHR_texture_transform: v.optional(
-        v.object({
-          offset: v.optional(vec2),
-          rotation: v.optional(finite),
-          scale: v.optional(vec2),
-          texCoord: v.optional(index),
-        }),
-      ),
-    }),
-  ),
-};
-const TextureInfo = v.optional(v.object(textureInfo));
-const Material = v.object({
-  name,
-  pbrMetallicRoughness: v.optional(
-    v.object({
-      baseColorFactor: v.optional(vec4),
-      metallicFactor: v.optional(finite),
-      roughnessFactor: v.optional(finite),
-      baseColorTexture: TextureInfo,
-      metallicRoughnessTexture: TextureInfo,
-    }),
-  ),
-  normalTexture: v.optional(v.object({ ...textureInfo, scale: v.optional(finite) })),
-  emissiveTexture: TextureInfo,
-  emissiveFactor: v.optional(color),
-  alphaMode: v.optional(v.picklist(["OPAQUE", "MASK", "BLEND"])),
-  alphaCutoff: v.optional(nonNegative),
-  doubleSided: isFlagged,
-  extensions: v.optional(
-    v.object({
-      KHR_materials_emissive_strength: v.optional(v.object({ emissiveStrength: v.optional(nonNegative) })),
-      KHR_materials_unlit: v.optional(v.object({})),
-      KHR_materials_ior: v.optional(v.object({ ior: v.optional(nonNegative) })),
-    }),
-  ),
-});
-
 const Attributes = v.record(v.string(), index);
 const Primitive = v.object({
   attributes: Attributes,
@@ -201,7 +145,7 @@ const GltfSchema = v.object({
   images: list(Image),
   samplers: list(Sampler),
   textures: list(Texture),
-  materials: list(Material),
+  materials: list(MaterialSchema),
   meshes: list(Mesh),
   cameras: list(Camera),
   nodes: list(Node),

@@ -31,7 +31,12 @@ export function placedTexture(texture: string, uv: 0 | 1, { extensions }: Textur
     ...(uv === 1 && { uv }),
     ...(offset && { offset }),
     ...(scale && { scale }),
-    ...(rotation && { rotation: (rotation * 180) / Math.PI }),
+    ...(rotation && { rotation: toDegrees(rotation) }),
   };
   return isPlain(placed) ? texture : placed;
+}
+
+/** Of an angle in radians, which may be many turns: the scene format has bounds. */
+export function toDegrees(radians: number): number {
+  return ((radians % (2 * Math.PI)) * 180) / Math.PI;
 }

@@ -12,6 +12,7 @@ import { fitPictures, halved } from "./fitPictures";
 import { type ImageFile, readHeader } from "./imageFile";
 import { placeOf } from "./materials";
 import type { Resources } from "./resources";
+import { roughnessPicture } from "./roughnessPicture";
 import type { GltfJson } from "./schema";
 import { shrinkPicture } from "./shrinkPicture";
 
@@ -26,7 +27,17 @@ const MAX_REASON_LENGTH = 300;
 const NEAREST = 9728;
 const WRAPS = { 33071: "clamp", 33648: "mirror", 10497: "repeat" } as const;
 
-type Use = { readonly image: number; readonly look: Omit<Texture, keyof DecodedImage> };
+/**
+ * What a picture holds: sRGB, or data, or glossiness in its alpha, which is multiplied by this number. Of that a texture is made
+ * that has the roughness in its green.
+ */
+export type Reading = "color" | "data" | { readonly glossiness: number };
+
+type Use = {
+  readonly image: number;
+  readonly reading: Reading;
+  readonly look: Omit<Texture, keyof DecodedImage>;
+};
 type Picture = ImageFile & {
   readonly index: number;
   /** In how many textures it is. */
@@ -50,10 +61,8 @@ export class Textures {
 
   /**
    * The name in the scene of one of the file's textures; `undefined`, which is said, if it has no picture in a format that is read.
-   *
-   * @param isColor - how it is read: as sRGB, or as data.
    */
-  use(index: number, isColor: boolean): string | undefined {
+  use(index: number, reading: Reading): string | undefined {
     const { source, sampler, extensions } = this.#json.textures[index]!;
     // Where there is a choice, PNG and JPEG are what every decoder can do.
     const image = source ?? extensions?.EXT_texture_webp?.source ?? extensions?.EXT_texture_avif?.source;
@@ -63,13 +72,14 @@ export class Textures {
       else this.#warnings.add("A texture is left out because it has no picture that can be read", `textures[${index}]`);
       return undefined;
     }
-    if (isColor) this.#colors.add(image);
+    if (reading === "color") this.#colors.add(image);
     const { wrapS = 10497, wrapT = 10497, magFilter } = this.#json.samplers[sampler ?? -1] ?? {};
     const filter = magFilter === NEAREST ? "nearest" : "linear";
     const look = { wrapU: WRAPS[wrapS], wrapV: WRAPS[wrapT], filter } as const;
     const name = ["image", image, ...(wrapS === 10497 && wrapT === 10497 ? [] : [look.wrapU, look.wrapV])];
     if (filter === "nearest") name.push(filter);
-    this.#used.set(name.join(" "), { image, look });
+    if (typeof reading === "object") name.push("glossiness", reading.glossiness);
+    this.#used.set(name.join(" "), { image, reading, look });
     return name.join(" ");
   }
 
@@ -109,12 +119,14 @@ export class Textures {
       1,
       ([i, picture]) => decode(picture, i),
     );
-    return Object.fromEntries(
-      [...this.#used].flatMap(([name, { image, look }]) => {
-        const picture = decoded.get(image);
-        return picture === undefined ? [] : [[name, { ...picture, ...look }]];
-      }),
-    );
+    const textures: Record<string, Texture> = {};
+    for (const [name, { image, reading, look }] of this.#used) {
+      const picture = decoded.get(image);
+      if (typeof reading === "object") {
+        textures[name] = { ...(await roughnessPicture(picture, reading.glossiness, signal)), ...look };
+      } else if (picture !== undefined) textures[name] = { ...picture, ...look };
+    }
+    return textures;
   }
 
   /** The files of the pictures in use, in their order in the file; without those that can't be read or are too large. */

@@ -55,10 +55,10 @@ function expectColor(actual: readonly number[], expected: readonly number[]): vo
   for (const [i, value] of expected.entries()) expect(Math.abs(actual[i]! - value)).toBeLessThanOrEqual(TOLERANCE);
 }
 
-test("a file that requires KHR_materials_specular is shown without it", async () => {
+test("a file that requires KHR_materials_volume_scatter is shown without it", async () => {
   const { at, warnings } = await render(
     squareFile((json) => {
-      json.extensionsUsed = json.extensionsRequired = ["KHR_materials_specular"];
+      json.extensionsUsed = json.extensionsRequired = ["KHR_materials_volume_scatter"];
     }),
     8,
     16,

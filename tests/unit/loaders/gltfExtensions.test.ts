@@ -12,7 +12,7 @@ describe("an extension that is not supported", () => {
     load((json) => Object.assign(json, { extensionsRequired, extensionsUsed: extensionsRequired }));
 
   test.each([
-    ["KHR_materials_sheen", "The sheen of materials is not shown"],
+    ["KHR_materials_volume_scatter", "The scattering of light within a material is not shown"],
     ["KHR_materials_something", "What an extension says of materials is not shown"],
     ["ACME_materials_glitter", "What an extension says of materials is not shown"],
     ["EXT_lights_image_based", "The light of the file's surroundings is not shown"],
@@ -30,8 +30,8 @@ describe("an extension that is not supported", () => {
 
   test("is said once, though it is used and required", async () => {
     const { warnings } = await load((json) => {
-      json.extensionsUsed = ["KHR_materials_sheen"];
-      json.extensionsRequired = ["KHR_materials_sheen"];
+      json.extensionsUsed = ["KHR_materials_volume_scatter"];
+      json.extensionsRequired = ["KHR_materials_volume_scatter"];
     });
     expect(warnings).toHaveLength(1);
   });
@@ -39,7 +39,7 @@ describe("an extension that is not supported", () => {
   test.each(["EXT_mesh_quantum", "KHR_accessor_float16", "KHR_gaussian_splatting", "toString"])(
     "is required, %s, and may change shapes: the file is refused",
     async (name) => {
-      await expect(requiring("KHR_materials_sheen", name)).rejects.toMatchObject({
+      await expect(requiring("KHR_materials_volume_scatter", name)).rejects.toMatchObject({
         name: "LoadError",
         message: `the file requires "${name}", which is not supported and may change its shapes`,
       });

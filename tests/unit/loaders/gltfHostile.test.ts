@@ -249,7 +249,7 @@ describe("a file with a lot to say", () => {
 
   test("gives a hundred warnings, and their number", async () => {
     const file = triangleFile((json) => {
-      const extensions = (i: number) => ({ KHR_materials_ior: { ior: i / 1000 } });
+      const extensions = (i: number) => ({ KHR_materials_ior: { ior: (i + 1) / 1000 } });
       json.materials = many(500, (i) => ({ extensions: extensions(i) }));
       const [primitive] = json.meshes[0].primitives;
       json.meshes[0].primitives = many(500, (material) => ({ ...primitive, material }));
