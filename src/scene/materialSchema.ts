@@ -122,11 +122,11 @@ export const MaterialSchema = strictObject(
     sheenRoughness: v.optional(fraction, 0),
     /** The texture whose alpha multiplies `sheenRoughness`; linear. */
     sheenRoughnessTexture: v.optional(textureReference),
-    /** How far reflections are stretched across the surface's grooves, from 0 to 1. */
+    /** How far reflections are stretched, as by fine grooves, from 0 to 1. */
     anisotropy: v.optional(fraction, 0),
-    /** Degrees from the tangent, counter-clockwise, to the grooves. */
+    /** Degrees from the tangent, counter-clockwise, to the direction in which they are stretched. The grooves run across it. */
     anisotropyRotation: v.optional(finite, 0),
-    /** The texture whose red and green, 0…255 for −1…1, are the grooves' direction before the rotation, and whose blue multiplies `anisotropy`; linear. */
+    /** The texture whose red and green, 0…255 for −1…1, are that direction before the rotation, and whose blue multiplies `anisotropy`; linear. */
     anisotropyTexture: v.optional(textureReference),
     /** How much a thin film on the surface colours its reflection, from 0 to 1. */
     iridescence: v.optional(fraction, 0),
