@@ -2,8 +2,9 @@ import type { FolderApi, ListBladeApi } from "tweakpane";
 import type { ScenePart } from "../scene/parts";
 import type { ResolvedScene } from "../scene/schema";
 import { nameOf, objectsOf, partsOf, withLight, withMaterial } from "./editScene";
+import { addLightKnobs } from "./lightKnobs";
+import { addMaterialKnobs } from "./materialKnobs";
 import { nameFields } from "./nameFields";
-import { addLightKnobs, addMaterialKnobs } from "./partKnobs";
 
 /** A scene whose materials and lights the panel lets one change. */
 export type SceneEditor = {

@@ -123,11 +123,50 @@ test("every field of the panel has a name for those who do not see its label", a
   const viewer = await openViewer(page, ROOMY);
   for (const part of ["objects[2] · sphere · gold", "lights[0] · sphere"]) {
     await viewer.getByLabel("object or light").selectOption({ label: part });
+    if (/sphere · gold/.test(part)) {
+      for (const title of ["coat", "sheen", "anisotropy", "film"]) {
+        await viewer.getByRole("button", { name: title, exact: true }).click();
+      }
+      await expect(viewer.getByLabel("film amount", { exact: true })).toBeAttached();
+    }
     const nameless = await viewer
       .locator(".panel :is(input, select, textarea)")
       .evaluateAll((fields) => fields.filter((field) => !field.ariaLabel).map((field) => field.outerHTML));
     expect(nameless).toEqual([]);
   }
+});
+
+test("effects of a material are folded, and show what they need once they are turned on", async ({ page }) => {
+  const viewer = await openViewer(page, ROOMY);
+  await viewer.getByLabel("object or light").selectOption({ label: "objects[1] · sphere · red" });
+  const red = () => viewer.evaluate((element: RtViewerElement) => element.tracer!.scene.materials.red!);
+  const field = (label: string) => viewer.getByLabel(label, { exact: true });
+  const turn = async (label: string, value: string) => {
+    await field(label).fill(value);
+    await field(label).press("Enter");
+  };
+  await expect(viewer.getByRole("button", { name: "coat", exact: true })).toBeVisible();
+  await expect(field("transmission amount")).toHaveCount(0);
+  await viewer.getByRole("button", { name: "transmission", exact: true }).click();
+  await expect(field("transmission amount")).toBeVisible();
+  await expect(field("transmission thickness")).toBeHidden();
+
+  await turn("transmission amount", "0.9");
+  await turn("transmission thickness", "0.5");
+  await expect(field("transmission fades over")).toHaveValue("none");
+  await expect(field("choose transmission fades to")).toBeHidden();
+  await turn("transmission fades over", "2");
+  await expect(field("choose transmission fades to")).toBeVisible();
+  await expect.poll(red).toMatchObject({ transmission: 0.9, thickness: 0.5, attenuationDistance: 2 });
+  await turn("transmission fades over", "0");
+  await expect(field("transmission fades over")).toHaveValue("none");
+  await expect.poll(red).not.toHaveProperty("attenuationDistance");
+  await turn("transmission amount", "0");
+  await expect(field("transmission thickness")).toBeHidden();
+
+  // A folder that would change nothing is not there: no light passes a metal.
+  await turn("metallic", "1");
+  await expect(viewer.getByRole("button", { name: "transmission", exact: true })).toBeHidden();
 });
 
 test.describe("the shader's text", () => {
