@@ -300,12 +300,15 @@ describe("numbers that glTF does not allow", () => {
 });
 
 describe("a solid", () => {
-  const solid = (volume: object, more: Extensions = {}) =>
-    load({
-      KHR_materials_transmission: { transmissionFactor: 1 },
-      KHR_materials_volume: { thicknessFactor: 1, attenuationColor: [0.5, 0.5, 0.5], ...volume },
-      ...more,
-    });
+  const solid = (volume: object, extensions: Extensions = {}, more: object = {}) =>
+    load(
+      {
+        KHR_materials_transmission: { transmissionFactor: 1 },
+        KHR_materials_volume: { thicknessFactor: 1, attenuationColor: [0.5, 0.5, 0.5], ...volume },
+        ...extensions,
+      },
+      more,
+    );
 
   test.each([
     ["is absent", {}],
@@ -351,12 +354,18 @@ describe("a solid", () => {
     expect(material).toEqual(PLAIN);
   });
 
-  test("may be entered by diffuse transmission alone, and have two sides", async () => {
+  test("may be entered by diffuse transmission alone", async () => {
     const { material } = await solid(
       {},
       { KHR_materials_transmission: {}, KHR_materials_diffuse_transmission: { diffuseTransmissionFactor: 1 } },
     );
     expect(material).toMatchObject({ diffuseTransmission: 1, thickness: 1 });
+  });
+
+  test("has no second side: doubleSided says nothing of it", async () => {
+    const { material, warnings } = await solid({}, {}, { doubleSided: true });
+    expect(material).toEqual({ ...PLAIN, transmission: 1, thickness: 1 });
+    expect(warnings).toEqual([]);
   });
 });
 
