@@ -1,3 +1,4 @@
+import { startWorker, untilAborted } from "../startWorker";
 import { type BuildOptions, buildBvh } from "./buildBvh";
 import type { Bvh } from "./bvh";
 import type { WorkerReply, WorkerRequest } from "./workerMessages";
@@ -22,35 +23,17 @@ export async function buildBvhAsync(
   { signal, ...options }: AsyncBuildOptions = {},
 ): Promise<Bvh> {
   signal?.throwIfAborted();
-  const worker = bounds.length / 6 < MIN_WORKER_PRIMITIVES ? undefined : createWorker();
+  // Until it has started nothing is given away.
+  const worker = bounds.length / 6 < MIN_WORKER_PRIMITIVES ? undefined : await startWorker(createWorker, signal);
   if (worker === undefined) return buildBvh(bounds, options);
   try {
-    if (!(await isReady(worker, signal))) return buildBvh(bounds, options);
     return await buildIn(worker, bounds, options, signal);
   } finally {
     worker.terminate();
   }
 }
 
-function createWorker(): Worker | undefined {
-  if (typeof Worker === "undefined") return undefined;
-  try {
-    return new Worker(new URL("./bvhWorker.ts", import.meta.url), { type: "module" });
-  } catch {
-    return undefined; // of a foreign origin
-  }
-}
-
-/** Whether the worker has started; false if its script could not be loaded. Until then nothing is given away. */
-function isReady(worker: Worker, signal: AbortSignal | undefined): Promise<boolean> {
-  return untilAborted(signal, (resolve) => {
-    worker.onmessage = () => resolve(true);
-    worker.onerror = (event) => {
-      event.preventDefault(); // no error of the page's
-      resolve(false);
-    };
-  });
-}
+const createWorker = () => new Worker(new URL("./bvhWorker.ts", import.meta.url), { type: "module" });
 
 function buildIn(
   worker: Worker,
@@ -69,27 +52,5 @@ function buildIn(
     const isWhole = bounds.buffer instanceof ArrayBuffer && bounds.byteLength === bounds.buffer.byteLength;
     const request: WorkerRequest = { bounds: isWhole ? bounds : bounds.slice(), maxLeaf };
     worker.postMessage(request, [request.bounds.buffer]);
-  });
-}
-
-function untilAborted<T>(
-  signal: AbortSignal | undefined,
-  start: (resolve: (value: T) => void, reject: (reason: unknown) => void) => void,
-): Promise<T> {
-  return new Promise((resolve, reject) => {
-    if (signal?.aborted) return reject(signal.reason);
-    const abort = () => reject(signal?.reason);
-    signal?.addEventListener("abort", abort, { once: true });
-    const done = () => signal?.removeEventListener("abort", abort);
-    start(
-      (value) => {
-        done();
-        resolve(value);
-      },
-      (reason) => {
-        done();
-        reject(reason);
-      },
-    );
   });
 }
