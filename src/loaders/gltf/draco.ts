@@ -1,5 +1,6 @@
 import type { Extension } from "@gltf-transform/core";
 import { LoadError } from "../../errors";
+import { inlinedBytes } from "../inlinedBytes";
 
 /** The Draco decoder, for `KHR_draco_mesh_compression`: a quarter of a megabyte that most files don't need. */
 export async function loadDraco() {
@@ -10,13 +11,9 @@ export async function loadDraco() {
       import("draco3dgltf/draco_decoder_gltf.wasm?url&inline"),
     ]);
     // A new one for every file: after damaged data its memory is not to be trusted.
-    const decoder = await createDecoderModule({ wasmBinary: bytesOf(wasm) });
+    const decoder = await createDecoderModule({ wasmBinary: await inlinedBytes(wasm) });
     return { extension: KHRDracoMeshCompression as typeof Extension, dependency: { "draco3d.decoder": decoder } };
   } catch (cause) {
     throw new LoadError(`needs the Draco decoder, which did not load: ${cause}`, { cause });
   }
-}
-
-function bytesOf(dataUri: string): Uint8Array {
-  return Uint8Array.from(atob(dataUri.slice(dataUri.indexOf(",") + 1)), (character) => character.charCodeAt(0));
 }
