@@ -92,7 +92,10 @@ function inFileBeside(files: Readonly<Record<string, string>>): Plugin {
   };
 }
 
-/** What each `--mode` builds: the package's modules; all of it in a single file; and the glTF loader, which that one loads. */
+/**
+ * What each `--mode` builds: the package's modules; all of it in a single file; the glTF loader, which that one loads; and the
+ * transcoder of KTX2 pictures, which that one loads.
+ */
 const builds: Readonly<Record<string, { build: BuildEnvironmentOptions; beside?: Readonly<Record<string, string>> }>> =
   {
     production: { build: modules },
@@ -102,9 +105,12 @@ const builds: Readonly<Record<string, { build: BuildEnvironmentOptions; beside?:
     },
     "single-gltf": {
       build: minified("src/loaders/gltf.ts", "rt-viewer.gltf.min.js"),
-      // One class of errors, for `instanceof`.
-      beside: { "src/errors.ts": "./rt-viewer.min.js" },
+      beside: {
+        "src/errors.ts": "./rt-viewer.min.js", // one class of errors, for `instanceof`
+        "src/loaders/ktx2/transcoderModule.ts": "./rt-viewer.ktx2.min.js",
+      },
     },
+    "single-ktx2": { build: minified("src/loaders/ktx2/transcoderModule.ts", "rt-viewer.ktx2.min.js") },
   };
 
 export default defineConfig(({ mode }) => {

@@ -18,7 +18,8 @@ export type DecodedImage = {
 };
 
 /**
- * Decodes a picture file: as stored, whatever orientation is written beside the texels.
+ * Decodes a picture file: as stored, whatever orientation is written beside the texels. KTX2 is not given to it: the loader decodes
+ * that itself.
  *
  * @param mimeType - as its first bytes have it: `image/png`, `image/jpeg`, `image/webp` or `image/avif`.
  * @throws anything, if it cannot.
@@ -34,7 +35,7 @@ export type LoadOptions = {
   readonly signal?: AbortSignal;
   /** Reads a file that the scene refers to. Default: the page's `fetch`. */
   readonly fetchResource?: (url: string, signal: AbortSignal | undefined) => Promise<Uint8Array>;
-  /** Default: the browser's decoder; where there is none, a file with pictures needs one to be given. */
+  /** Default: the browser's decoder; where there is none, a file with pictures other than KTX2 needs one to be given. */
   readonly decodeImage?: DecodeImage;
   /** Which of the file's variants to show, by name. Default: the materials that it has without any. */
   readonly variant?: string;

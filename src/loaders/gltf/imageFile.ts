@@ -2,6 +2,7 @@
 
 import { ImageUtils } from "@gltf-transform/core";
 import { LoadError } from "../../errors";
+import { isKtx2, KTX2_MIME_TYPE, readKtx2Header } from "../ktx2/ktx2Header";
 
 export type ImageFile = {
   readonly bytes: Uint8Array;
@@ -16,6 +17,10 @@ export type ImageFile = {
  * @throws {LoadError} if it is damaged, or of no format that is read.
  */
 export async function readHeader(bytes: Uint8Array): Promise<ImageFile> {
+  if (isKtx2(bytes)) {
+    const { width, height } = readKtx2Header(bytes);
+    return { bytes, mimeType: KTX2_MIME_TYPE, width, height };
+  }
   if (ImageUtils.getMimeType(bytes) === null) {
     // These teach glTF-Transform two more formats.
     const { EXTTextureAVIF, EXTTextureWebP } = await import("@gltf-transform/extensions");
@@ -23,7 +28,7 @@ export async function readHeader(bytes: Uint8Array): Promise<ImageFile> {
     EXTTextureWebP.register();
   }
   const mimeType = ImageUtils.getMimeType(bytes);
-  if (mimeType === null) throw new LoadError(`it is ${foreignFormat(bytes) ?? "not PNG, JPEG, WebP or AVIF"}`);
+  if (mimeType === null) throw new LoadError(`it is ${foreignFormat(bytes) ?? "not PNG, JPEG, WebP, AVIF or KTX2"}`);
   let size: readonly number[] | null;
   try {
     size = ImageUtils.getSize(bytes, mimeType);
@@ -48,7 +53,7 @@ const FOREIGN_FORMATS = [
   ["GIF", /^GIF8/],
   ["BMP", /^BM/],
   ["SVG", /^\W*<(\?xml|svg)\b/],
-  ["KTX2", /^\xabKTX 20\xbb/],
+  ["KTX 1", /^\xabKTX 11\xbb/],
   ["DDS", /^DDS /],
   ["TIFF", /^(II\*|MM\0\*)/],
   ["Radiance HDR", /^#\?RADIANCE/],

@@ -3,6 +3,8 @@
 import { LoadError } from "../../errors";
 import type { Scene, Texture } from "../../scene/schema";
 import { checkPageDecodes, decodeInPage } from "../decodeInPage";
+import { Ktx2Decoder } from "../ktx2/ktx2Decoder";
+import { KTX2_MIME_TYPE } from "../ktx2/ktx2Header";
 import { MAX_UNPACKED_BYTES } from "../limits";
 import type { DecodedImage, LoadOptions } from "../loadedScene";
 import { MAX_DECODED_TEXELS, MAX_PICTURE_TEXELS } from "../pictureLimits";
@@ -64,12 +66,14 @@ export class Textures {
    */
   use(index: number, reading: Reading): string | undefined {
     const { source, sampler, extensions } = this.#json.textures[index]!;
-    // Where there is a choice, PNG and JPEG are what every decoder can do.
-    const image = source ?? extensions?.EXT_texture_webp?.source ?? extensions?.EXT_texture_avif?.source;
+    // Where there is a choice, PNG and JPEG are what every decoder can do. KTX2 has lost most, and needs a decoder that is loaded.
+    const image =
+      source ??
+      extensions?.EXT_texture_webp?.source ??
+      extensions?.EXT_texture_avif?.source ??
+      extensions?.KHR_texture_basisu?.source;
     if (image === undefined) {
-      const packed = extensions?.KHR_texture_basisu?.source;
-      if (packed !== undefined) this.#leaveOut(packed, "KTX2 (KHR_texture_basisu) can't be read");
-      else this.#warnings.add("A texture is left out because it has no picture that can be read", `textures[${index}]`);
+      this.#warnings.add("A texture is left out because it has no picture that can be read", `textures[${index}]`);
       return undefined;
     }
     if (reading === "color") this.#colors.add(image);
@@ -92,14 +96,17 @@ export class Textures {
    */
   async decode(resources: Resources, options: LoadOptions): Promise<NonNullable<Scene["textures"]>> {
     const { decodeImage = decodeInPage, signal } = options;
-    if (this.#used.size > 0 && options.decodeImage === undefined) checkPageDecodes();
     const pictures = await this.#read(resources, signal);
+    if (options.decodeImage === undefined && !pictures.every(isKtx2)) checkPageDecodes();
     const bytes = pictures.reduce((sum, { width, height, copies }) => sum + 4 * width * height * copies, 0);
     const halvings = fitPictures(pictures, await texelBudget(bytes, options));
     const decoded = new Map<number, DecodedImage>();
-    const decode = async (picture: Picture, i: number) => {
+    const ktx2 = new Ktx2Decoder(signal);
+    const decode = async ([i, picture]: [number, Picture]) => {
       await this.#attempt(picture.index, signal, async () => {
-        const image = await decodeImage(picture.bytes, picture.mimeType);
+        const image = await (isKtx2(picture)
+          ? ktx2.decode(picture.bytes)
+          : decodeImage(picture.bytes, picture.mimeType));
         checkSize(image, picture);
         const size = halved(image, halvings[i]!);
         const isSmaller = halvings[i]! > 0;
@@ -109,16 +116,14 @@ export class Textures {
     };
     const isLarge = ({ width, height }: Picture) => width * height > MAX_TEXELS_OF_SEVERAL;
     const entries = [...pictures.entries()];
-    await forEachOf(
-      entries.filter(([, picture]) => !isLarge(picture)),
-      MAX_DECODING,
-      ([i, picture]) => decode(picture, i),
-    );
-    await forEachOf(
-      entries.filter(([, picture]) => isLarge(picture)),
-      1,
-      ([i, picture]) => decode(picture, i),
-    );
+    const several = entries.filter(([, picture]) => !isLarge(picture));
+    const large = entries.filter(([, picture]) => isLarge(picture));
+    try {
+      await forEachOf(several, MAX_DECODING, decode);
+      await forEachOf(large, 1, decode);
+    } finally {
+      ktx2.dispose();
+    }
     const textures: Record<string, Texture> = {};
     for (const [name, { image, reading, look }] of this.#used) {
       const picture = decoded.get(image);
@@ -202,6 +207,10 @@ async function forEachOf<T>(items: readonly T[], atOnce: number, act: (item: T) 
 
 function* each<T>(items: readonly T[]): Generator<T> {
   yield* items;
+}
+
+function isKtx2({ mimeType }: ImageFile): boolean {
+  return mimeType === KTX2_MIME_TYPE;
 }
 
 /** A picture may be turned: AVIF says so apart from its size. */

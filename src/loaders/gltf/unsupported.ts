@@ -30,7 +30,7 @@ const SUPPORTED_EXTENSIONS = new Set([
   "KHR_mesh_quantization",
   "KHR_meshopt_compression",
   "KHR_node_visibility",
-  "KHR_texture_basisu", // its pictures are left out, each with a warning, unless there are others in their place
+  "KHR_texture_basisu",
   "KHR_texture_transform",
 ]);
 

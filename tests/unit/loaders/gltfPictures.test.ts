@@ -4,6 +4,7 @@ import { decodeImage } from "../../../src/cli/decodeImage";
 import { type LoadOptions, loadGltf } from "../../../src/loaders/gltf";
 import { parseScene } from "../../../src/scene/parseScene";
 import { container, meshesOf, type TriangleJson, triangleFile } from "../../support/gltf";
+import { ktx2Picture, texelsOfKtx2Blocks } from "../../support/ktx2Pictures";
 import { pngFile } from "../../support/png";
 import { smallPicture } from "../../support/smallPictures";
 
@@ -65,7 +66,7 @@ describe("a picture that can't be read leaves its texture white, and is named wi
   const cases: Readonly<Record<string, readonly [Picture, string, string?]>> = {
     "because it is a web page": [text("\ufeff\n<!DOCTYPE html><p>404"), "it is a web page (HTML), not a picture"],
     "because it is empty": [{ uri: "data:image/png;base64," }, "it is empty"],
-    "because it is of a format that nobody knows": [text("hello"), "it is not PNG, JPEG, WebP or AVIF"],
+    "because it is of a format that nobody knows": [text("hello"), "it is not PNG, JPEG, WebP, AVIF or KTX2"],
     "because it is a GIF": [text("GIF89a"), "it is GIF, which can't be read"],
     "because it is an SVG": [text('<svg xmlns="http://www.w3.org/2000/svg"/>'), "it is SVG, which can't be read"],
     "because its header is cut off": [RED.slice(0, 18), "its header is damaged"],
@@ -137,22 +138,56 @@ describe("a picture that can't be read leaves its texture white, and is named wi
 });
 
 describe("a texture of KHR_texture_basisu", () => {
-  const packed = (fallback: object) =>
-    pictureFile([RED, { uri: "bark.ktx2" }], undefined, (json) => {
+  const packed = (fallback: object, picture: Picture = ktx2Picture("etc1sAlpha")) =>
+    pictureFile([RED, picture], undefined, (json) => {
       json.extensionsRequired = ["KHR_texture_basisu"];
       json.textures = [{ source: 0 }, { ...fallback, extensions: { KHR_texture_basisu: { source: 1 } } }];
     });
 
-  test("is left out, and its picture is named, though the file requires it", async () => {
-    const { materials, warnings } = await load(packed({}));
-    expect(materials.map(({ baseColorTexture }) => baseColorTexture)).toEqual(["image 0", undefined]);
-    expect(warnings).toEqual([`${LEFT_OUT}KTX2 (KHR_texture_basisu) can't be read (images[1] "bark.ktx2")`]);
+  test("has the texels of its KTX2 picture", async () => {
+    const { scene, materials, warnings } = await load(packed({}));
+    expect(materials.map(({ baseColorTexture }) => baseColorTexture)).toEqual(["image 0", "image 1"]);
+    const { width, height, texels } = scene.textures!["image 1"]!;
+    expect([width, height]).toEqual([12, 10]);
+    expect([...texels]).toEqual([...texelsOfKtx2Blocks({ hasAlpha: true })]);
+    expect(warnings).toEqual([]);
   });
 
   test("has its other picture, if the file has one", async () => {
     const { materials, warnings } = await load(packed({ source: 0 }));
     expect(materials.map(({ baseColorTexture }) => baseColorTexture)).toEqual(["image 0", "image 0"]);
     expect(warnings).toEqual([]);
+  });
+
+  test("is left out if its picture is of a kind that can't be read, and the picture is named", async () => {
+    const cubeMap = ktx2Picture("uastc");
+    cubeMap[36] = 6;
+    const { materials, warnings } = await load(packed({}, cubeMap));
+    expect(materials.map(({ baseColorTexture }) => baseColorTexture)).toEqual(["image 0", undefined]);
+    expect(warnings).toEqual([`${LEFT_OUT}it is KTX2 with a cube map, which can't be read (images[1])`]);
+  });
+
+  test("is made smaller where pictures are too large together", async () => {
+    const { scene, warnings } = await load(packed({}), { maxTexelBytes: 4 * (1 + 6 * 5) });
+    expect(scene.textures!["image 1"]).toMatchObject({ width: 6, height: 5 });
+    expect(warnings).toEqual([expect.stringContaining("shown at 6 × 5 instead of 12 × 10")]);
+  });
+
+  test("needs no decoder of the caller's, and is not given to one", async () => {
+    const only = pictureFile([ktx2Picture("uastcZstandard")]);
+    const { scene } = await loadGltf(only);
+    expect(scene.textures!["image 0"]).toMatchObject({ width: 12, height: 10 });
+    const refuse = async () => {
+      throw new Error("what is this?");
+    };
+    expect((await load(only, { decodeImage: refuse })).warnings).toEqual([]);
+  });
+
+  test("of more texels than are read is left out before it is decoded", async () => {
+    const large = ktx2Picture("etc1s");
+    new DataView(large.buffer).setUint32(20, 2 ** 27, true);
+    const { warnings } = await load(packed({}, large));
+    expect(warnings).toEqual([`${LEFT_OUT}it is 134217728 × 10, which is more than 268435456 texels (images[1])`]);
   });
 });
 
