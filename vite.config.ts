@@ -36,7 +36,7 @@ export function leanShaders(): Plugin {
 }
 
 /** Deflates WebAssembly that is inlined; `inlinedBytes` inflates it. As it is, a page would download a third more. */
-function deflatedWasm(): Plugin {
+export function deflatedWasm(): Plugin {
   const suffix = "?url&inline";
   return {
     name: "deflated-wasm",

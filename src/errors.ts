@@ -1,3 +1,5 @@
+import { MAX_ISSUES } from "./scene/issueLimit";
+
 /** Base of every error this package throws on purpose: `error instanceof RtViewerError` tells ours from a bug. */
 export class RtViewerError extends Error {
   override readonly name: string = "RtViewerError";
@@ -10,9 +12,6 @@ export type SceneIssue = {
   /** What was expected and what was found, in one line. */
   readonly message: string;
 };
-
-/** Issues that a `SceneError` holds. Nobody reads more lines; a million are one mistake, made a million times. */
-export const MAX_ISSUES = 100;
 
 /** The scene breaks the format. The message lists the issues, one per line, and counts those that are left out. */
 export class SceneError extends RtViewerError {

@@ -4,8 +4,9 @@
 // of them took a minute. Here the first are kept, with their paths, and the rest only counted.
 
 import type * as v from "valibot";
-import { MAX_ISSUES, SceneError, type SceneIssue } from "../errors";
+import { SceneError, type SceneIssue } from "../errors";
 import { formatPath } from "./describe";
+import { MAX_ISSUES } from "./issueLimit";
 
 type Key = string | number;
 

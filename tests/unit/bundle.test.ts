@@ -2,7 +2,7 @@ import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { build, type InlineConfig, type Rollup } from "vite";
 import { beforeAll, expect, test } from "vitest";
-import { leanShaders } from "../../vite.config";
+import { deflatedWasm, leanShaders } from "../../vite.config";
 
 const LIMIT_KB = 80;
 const PANEL_LIMIT_KB = 40;
@@ -21,7 +21,7 @@ function bundle(): Promise<Chunk[]> {
   const source = (path: string) => fileURLToPath(new URL(`../../src/${path}`, import.meta.url));
   return chunksOf({
     configFile: false,
-    plugins: [leanShaders()],
+    plugins: [leanShaders(), deflatedWasm()],
     build: {
       minify: true,
       target: "es2022",
@@ -66,7 +66,7 @@ test(`the package and its element take at most ${LIMIT_KB} kB, gzipped, without 
   console.log([...lines, `${total.toFixed(1).padStart(6)} kB gzip  index.js + element.js`].join("\n"));
 
   expect(total).toBeLessThanOrEqual(LIMIT_KB);
-  for (const onDemand of [isPanelCode, isGltfCode, (id: string) => /meshoptimizer|draco/.test(id)]) {
+  for (const onDemand of [isPanelCode, isGltfCode, (id: string) => /meshoptimizer|draco|loaders\/ktx2/.test(id)]) {
     expect([...atOnce].flatMap(({ moduleIds }) => moduleIds.filter(onDemand))).toEqual([]);
     expect(chunks.flatMap(({ moduleIds }) => moduleIds).some(onDemand)).toBe(true);
   }
@@ -92,4 +92,23 @@ test(`the single file is one file, of at most ${SINGLE_FILE_LIMIT_KB} kB, that i
   const elsewhere = files[0]!.dynamicImports.filter((name) => name !== files[0]!.fileName);
   expect(elsewhere).toEqual(["./rt-viewer.gltf.min.js"]);
   expect(kilobytes(files)).toBeLessThanOrEqual(SINGLE_FILE_LIMIT_KB);
+});
+
+test("what the files beside the single file import, they find", { timeout: 60_000 }, async () => {
+  const modes = ["single", "single-gltf", "single-ktx2"];
+  const files = (await Promise.all(modes.map((mode) => chunksOf({ mode })))).flat();
+  const exported = new Map(files.map((chunk) => [chunk.fileName, chunk.exports]));
+  const found: string[] = [];
+  for (const { code } of files) {
+    for (const [, names, file] of code.matchAll(/import\{([^}]*)\}from"\.\/([^"]+)"/g)) {
+      found.push(file!);
+      const wanted = names!.split(",").map((name) => name.split(" as ")[0]!);
+      expect(exported.get(file!)).toEqual(expect.arrayContaining(wanted));
+    }
+    for (const [, file] of code.matchAll(/import\([`"]\.\/([^`"]+)[`"]\)/g)) {
+      found.push(file!);
+      expect([...exported.keys()]).toContain(file);
+    }
+  }
+  expect(new Set(found)).toEqual(new Set(["rt-viewer.min.js", "rt-viewer.gltf.min.js", "rt-viewer.ktx2.min.js"]));
 });
