@@ -1,7 +1,9 @@
-import type { Page } from "@playwright/test";
+import type { Locator, Page } from "@playwright/test";
 import { encode } from "fast-png";
 import { MIN_WORKER_PRIMITIVES } from "../../src/bvh/buildInWorker";
+import type { RtViewerElement } from "../../src/element";
 import { triangleFile } from "../support/gltf";
+import { ktx2Picture } from "../support/ktx2Pictures";
 import { bumpyScene } from "./support/bumpyScene";
 import { contrast, pictureOf } from "./support/picture";
 import { expect, test } from "./support/test";
@@ -82,6 +84,64 @@ test("a model with a picture is shown under a strict content security policy", a
   await waitForSamples(viewer, 1);
   expect(contrast(await pictureOf(viewer))).toBeGreaterThan(10);
   expect(await violationsOf(page)).toEqual([]);
+});
+
+/** A triangle with a KTX2 picture. */
+function ktx2Model(): Uint8Array {
+  return triangleFile((json, packer) => {
+    json.images = [{ bufferView: packer.addView(ktx2Picture("uastc")) }];
+    json.textures = [{ extensions: { KHR_texture_basisu: { source: 0 } } }];
+    json.materials = [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }];
+    json.meshes[0].primitives[0].material = 0;
+    json.meshes[0].primitives[0].attributes.TEXCOORD_0 = packer.add(Float32Array.of(0, 0, 1, 0, 0, 1), "VEC2");
+  });
+}
+
+const texturesOf = (viewer: Locator) =>
+  viewer.evaluate((element: RtViewerElement) => Object.keys(element.tracer!.scene.textures));
+
+test("a KTX2 picture is shown where a content security policy allows WebAssembly, in a worker or without", async ({
+  page,
+  expectedErrors,
+}) => {
+  await page.route("**/model.glb", (route) => route.fulfill({ body: Buffer.from(ktx2Model()) }));
+  const workers: string[] = [];
+  page.on("worker", (worker) => workers.push(worker.url()));
+  const policy = POLICY.replace("'self'", "'self' 'wasm-unsafe-eval'");
+  await openStrictFixture(page, policy);
+  const viewer = await addViewer(page, { src: "model.glb" });
+  await waitForSamples(viewer, 1);
+  expect(await texturesOf(viewer)).toEqual(["image 0"]);
+  expect(await violationsOf(page)).toEqual([]);
+  expect(workers).toHaveLength(1);
+
+  expectedErrors.push(/requires 'TrustedScriptURL'/);
+  await page.unroute(FIXTURE_URL);
+  await openStrictFixture(page, `${policy}; ${TRUSTED_TYPES}`);
+  const another = await addViewer(page, { src: "model.glb" });
+  await waitForSamples(another, 1);
+  expect(await texturesOf(another)).toEqual(["image 0"]);
+  expect(workers).toHaveLength(1);
+});
+
+test("a KTX2 picture is left out where WebAssembly is forbidden, and the model shown", async ({
+  page,
+  expectedErrors,
+}) => {
+  expectedErrors.push(/WebAssembly/);
+  await page.route("**/model.glb", (route) => route.fulfill({ body: Buffer.from(ktx2Model()) }));
+  await openStrictFixture(page, POLICY);
+  const viewer = await addViewer(page, {});
+  const warnings = viewer.evaluate(
+    (element: RtViewerElement) =>
+      new Promise<readonly string[]>((resolve) => {
+        element.addEventListener("loadwarnings", ({ detail }) => resolve(detail.warnings));
+        element.src = "model.glb";
+      }),
+  );
+  expect(await warnings).toContainEqual(expect.stringContaining("needs the Basis Universal transcoder"));
+  await waitForSamples(viewer, 1);
+  expect(await texturesOf(viewer)).toEqual([]);
 });
 
 for (const [what, policy, refusal] of [

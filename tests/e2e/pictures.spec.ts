@@ -6,8 +6,10 @@ import { encode } from "fast-png";
 import { encode as encodeJpeg } from "jpeg-js";
 import { decodeImage } from "../../src/cli/decodeImage";
 import type { RtViewerElement } from "../../src/element";
+import { transcodeByScript } from "../support/basisScript";
 import { turnedJpeg, turnedPng, turnedWebp } from "../support/exif";
 import { triangleFile } from "../support/gltf";
+import { ktx2File, ktx2Picture, tiledUastc } from "../support/ktx2Pictures";
 import { chunk, pngFile } from "../support/png";
 import { pngCases } from "../support/pngKinds";
 import { createRandom } from "../support/random";
@@ -175,6 +177,42 @@ test("PNGs of every kind, JPEG, WebP and AVIF have the same texels in a page and
     // libavif and Chromium turn AV1's colours to RGB with different roundings.
     expect.soft(largestDifference(texels, textures[i]!.texels), name).toBeLessThanOrEqual(name === "AVIF" ? 2 : 0);
   }
+});
+
+test("KTX2 pictures have the texels that Binomial's script gives", async ({ page }) => {
+  const names = ["etc1s", "etc1sAlpha", "uastc", "uastcZstandard", "mixedEtc1s", "mixedUastc"] as const;
+  const plain = ktx2File(
+    { vkFormat: 43, width: 3, height: 2 },
+    Uint8Array.from({ length: 24 }, (_, i) => 10 * i),
+  );
+  const textures = await decodedInPage(page, [...names.map(ktx2Picture), plain]);
+  for (const [i, name] of names.entries()) {
+    expect.soft(textures[i]!.texels, name).toEqual([...(await transcodeByScript(ktx2Picture(name)))]);
+  }
+  expect(textures.at(-1)).toMatchObject({ width: 3, height: 2, texels: Array.from({ length: 24 }, (_, i) => 10 * i) });
+});
+
+test("while five KTX2 pictures of 2048² load no task of the page takes long, and workers end with it", async ({
+  page,
+}) => {
+  const workers: string[] = [];
+  page.on("worker", (worker) => {
+    if (!worker.url().includes("transcodeWorker")) return;
+    workers.push("start");
+    worker.on("close", () => workers.push("close"));
+  });
+  await serveTextured(page, Array(5).fill(tiledUastc(2048)));
+  await openFixture(page);
+  const tasks = await tasksDuring(page, async () => {
+    const viewer = await addViewer(page, { src: "textured.glb" });
+    await waitForSamples(viewer, 1);
+  });
+  report("pictures-ktx2", { pictures: "5 × 2048² in UASTC", longest: tasks.slice(0, 3) });
+  await expect(page.getByRole("alert")).toBeHidden();
+  expect(tasks[0]!.processorMs).toBeLessThan(100); // as above
+  expect(contrast(await pictureOf(page.locator("rt-viewer")))).toBeGreaterThan(10);
+  expect(workers.filter((event) => event === "start").length).toBeLessThanOrEqual(2);
+  await expect.poll(() => workers.filter((event) => event === "close").length).toBe(workers.length / 2);
 });
 
 test("a picture is not turned, whatever it says of its orientation", async ({ page }) => {

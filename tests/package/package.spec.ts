@@ -7,6 +7,8 @@ import { readExports } from "../../tools/apiDocs";
 import { createDocs } from "../../tools/docs";
 import { contrast, pictureOf } from "../e2e/support/picture";
 import { waitForSamples } from "../e2e/support/viewer";
+import { triangleFile } from "../support/gltf";
+import { ktx2Picture } from "../support/ktx2Pictures";
 import { expect, serve, test } from "./support/test";
 
 const SITE = "https://stranger.example";
@@ -143,6 +145,42 @@ test("one file from a CDN is all that a page needs", async ({ page, project }) =
   expect(new Set(cssParts?.map(({ name }) => name))).toEqual(new Set([...found.parts, whileDragging]));
   const onFailure = "fallback"; // there in place of a picture
   expect(new Set(slots?.map(({ name }) => name))).toEqual(new Set([...found.slots, onFailure]));
+});
+
+test("from a CDN a glTF file with a KTX2 picture is shown, by two more files", async ({ page, project }) => {
+  const names: string[] = [];
+  await page.route("https://cdn.example/**", async (route) => {
+    const name = new URL(route.request().url()).pathname.slice(1);
+    names.push(name);
+    const body = await readFile(join(project.package, "dist", name));
+    await route.fulfill({ body, contentType: "text/javascript", headers: { "Access-Control-Allow-Origin": "*" } });
+  });
+  const model = triangleFile((json, packer) => {
+    json.images = [{ bufferView: packer.addView(ktx2Picture("uastcZstandard")) }];
+    json.textures = [{ extensions: { KHR_texture_basisu: { source: 0 } } }];
+    json.materials = [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }];
+    json.meshes[0].primitives[0].material = 0;
+    json.meshes[0].primitives[0].attributes.TEXCOORD_0 = packer.add(Float32Array.of(0, 0, 1, 0, 0, 1), "VEC2");
+  });
+  await page.route(`${SITE}/model.glb`, (route) => route.fulfill({ body: Buffer.from(model) }));
+  await page.route(`${SITE}/`, (route) =>
+    route.fulfill({
+      contentType: "text/html",
+      body: `<!doctype html><link rel="icon" href="data:,">
+        <script type="module" src="https://cdn.example/rt-viewer.min.js"></script>
+        <rt-viewer src="model.glb" style="width: 320px; height: 240px"></rt-viewer>`,
+    }),
+  );
+  await page.goto(`${SITE}/`);
+
+  const viewer = page.locator("rt-viewer");
+  await waitForSamples(viewer, 1);
+  const sizes = await viewer.evaluate((element: RtViewerElement) =>
+    Object.values(element.tracer!.scene.textures).map(({ width, height }) => [width, height]),
+  );
+  expect(sizes).toEqual([[12, 10]]);
+  // Of another origin there are no workers, so that it is decoded in the page.
+  expect(names).toEqual(["rt-viewer.min.js", "rt-viewer.gltf.min.js", "rt-viewer.ktx2.min.js"]);
 });
 
 test("everything that is exported has a docstring", async ({ project }) => {
