@@ -34,6 +34,7 @@ export function deriveFeatures(
   const isStretched = materials.some(({ anisotropy }) => anisotropy > 0);
   const hasUvs = geometry !== undefined && geometry.parts.length > 0 && geometry.vertexLayout.uvs !== undefined;
   const hasTangents = geometry?.vertexLayout.tangents !== undefined;
+  const lobes = lobeFeatures(materials);
   const isSmooth = geometry?.data.normals !== undefined;
   return {
     BALLS: families.has("ball"),
@@ -73,7 +74,8 @@ export function deriveFeatures(
     NORMAL_TEXTURES,
     // Some texture is looked up with other coordinates than the first of its mesh as they are.
     UV_TRANSFORMS: TEXTURE_FIELDS.some((field) => materials.some(({ [field]: t }) => t !== undefined && !isPlain(t))),
-    ...lobeFeatures(materials),
+    ...lobes,
+    COLORED_WALLS: lobes.COLORED_WALLS || (lobes.CLEAR_WALLS && COLORS),
     EMISSION: primitives.some(isEmissive),
     EMISSIVE_BALLS: primitives.some((primitive) => isEmissive(primitive) && familyOf(primitive.shape) === "ball"),
     VISIBLE_EMITTERS: primitives.some(isEmissive) && settings.estimator === "path",

@@ -1,5 +1,6 @@
 import type { Light } from "../lights/light";
 import { bothSides, lightsOf } from "../lights/lights";
+import { hasCoat } from "../lobes/clearcoat";
 import { hasHoles } from "../lobes/coverage";
 import { emitsTwice } from "../lobes/sides";
 import type { ResolvedScene } from "../scene/schema";
@@ -14,7 +15,7 @@ export function lightsOfScene(scene: ResolvedScene, primitives: readonly Primiti
   const lights: Light[] = [];
   for (const [id, primitive] of primitives.entries()) {
     const { shape, emission, material } = primitive;
-    if (!isEmissive(primitive) || (material !== "black" && hasHoles(material))) continue;
+    if (!isEmissive(primitive) || !shinesAsSaid(material)) continue;
     const front = kindOf(shape).lights(shape, emission, id);
     const sides = material !== "black" && emitsTwice(material) ? front.flatMap(bothSides) : front;
     for (const light of sides) lights.push(light);
@@ -24,4 +25,9 @@ export function lightsOfScene(scene: ResolvedScene, primitives: readonly Primiti
   for (const { strength } of lights) strongest = Math.max(strongest, strength);
   if (strongest === 0) return lights;
   return lights.map((light) => ({ ...light, strength: light.strength / strongest }));
+}
+
+/** Whether what leaves a surface is its emission: not where some of it is missing, nor under a coat. */
+function shinesAsSaid(material: Primitive["material"]): boolean {
+  return material === "black" || !(hasHoles(material) || hasCoat(material));
 }

@@ -5,7 +5,8 @@ import type { Layer, Lobe, MaterialFeatures } from "./lobe";
 // Its square is the least α.
 const LEAST_ROUGHNESS = 2 ** -12;
 
-function hasCoat({ clearcoat }: ResolvedMaterial): boolean {
+/** Has a coat. */
+export function hasCoat({ clearcoat }: ResolvedMaterial): boolean {
   return clearcoat > 0;
 }
 

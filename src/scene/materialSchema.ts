@@ -102,7 +102,7 @@ export const MaterialSchema = strictObject(
     specularColor: v.optional(light, [1, 1, 1]),
     /** The texture whose colour, sRGB, multiplies `specularColor`. */
     specularColorTexture: v.optional(textureReference),
-    /** How much of a clear coat, of ior 1.5, lies on the surface; from 0 to 1. */
+    /** How much of a clear coat, of ior 1.5, lies on the surface; from 0 to 1. Surfaces under a coat emit, but no light is sampled on them. */
     clearcoat: v.optional(fraction, 0),
     /** The texture whose red multiplies `clearcoat`; linear. */
     clearcoatTexture: v.optional(textureReference),

@@ -149,6 +149,16 @@ describe("surfaces", () => {
     expect(emit([triangle({ vertices, material: "glow" })])).toEqual([]);
   });
 
+  test("under a coat and behind holes nothing is sampled: what leaves there is less than the emission", () => {
+    const rare = [{ clearcoat: 0.5 }, { alpha: 0.5, alphaMode: "blend" }, { transmission: 1, roughness: 0 }] as const;
+    for (const material of rare) {
+      const glow = { ...MATERIALS.glow, ...material };
+      const scene = parseScene(sceneOf([UNIT_QUAD], [], { glow }));
+      expect(lightsOfScene(scene, primitivesOf(scene))).toEqual([]);
+    }
+    expect(emit([UNIT_QUAD])).toHaveLength(1);
+  });
+
   test("an infinite plane emits but cannot be sampled", () => {
     expect(emit([plane({ point: [0, 0, 0], normal: [0, 1, 0], material: "glow" })])).toEqual([]);
   });
