@@ -22,6 +22,10 @@ export type Reference = {
 /** Of spheres, boxes and the like. */
 export const ANALYTIC_NAMES = ["cornell", "spheres", "bleed", "veach", "furnace"] as const;
 export const REFERENCE_NAMES = [...ANALYTIC_NAMES, "knot", "glow"] as const;
+/** Of surfaces that light passes, or that have pictures on them. */
+export const SURFACE_REFERENCE_NAMES = ["glass"] as const;
+
+type ReferenceName = (typeof REFERENCE_NAMES)[number] | (typeof SURFACE_REFERENCE_NAMES)[number];
 
 type Meta = { readonly width: number; readonly height: number; readonly spp: number };
 
@@ -39,7 +43,7 @@ const KNOWN_BIAS: { readonly [name: string]: (x: number, y: number) => number } 
   furnace: (x, y) => ((x - 13) ** 2 + (y - 47) ** 2 < 17 ** 2 ? 0.005 : 0),
 };
 
-export function loadReference(name: (typeof REFERENCE_NAMES)[number]): Reference {
+export function loadReference(name: ReferenceName): Reference {
   return { scene: JSON.parse(readText(`scenes/${name}.json`)) as Scene, ...loadImage(name) };
 }
 
