@@ -1,6 +1,12 @@
 import { describe, expect, test } from "vitest";
 import { renderSeeds, seedsFrom } from "../support/device";
-import { ANALYTIC_NAMES, loadReference, REFERENCE_NAMES, type Reference } from "../support/reference";
+import {
+  ANALYTIC_NAMES,
+  loadReference,
+  REFERENCE_NAMES,
+  type Reference,
+  SURFACE_REFERENCE_NAMES,
+} from "../support/reference";
 import { judge, measure } from "../support/statistics";
 
 // Eight independent renders of 32 samples: together 256 samples per pixel, and a measured variance for each value.
@@ -13,7 +19,9 @@ const HONESTY = 1.1;
 // The default estimator with values as constants, as a resting scene is rendered; the other with values in the uniform, as
 // an edited one is. `constants.test.ts` holds the two kinds of program together.
 const CASES = [
-  ...REFERENCE_NAMES.map((name) => ({ name, estimator: "path", sampler: "sobol" }) as const),
+  ...[...REFERENCE_NAMES, ...SURFACE_REFERENCE_NAMES].map(
+    (name) => ({ name, estimator: "path", sampler: "sobol" }) as const,
+  ),
   ...ANALYTIC_NAMES.map((name) => ({ name, estimator: "path", sampler: "independent" }) as const),
   ...(["cornell", "bleed", "spheres"] as const).map(
     (name) => ({ name, estimator: "uniform", sampler: "sobol" }) as const,
