@@ -50,7 +50,7 @@ export function emitScene(
 import package::lights::light::{Light, LightChoice, LightSample, flatLightShare, lightShare};
 import package::lobes::lobe::{BsdfSample, BsdfValue, aboveOnly, directions, exactDirections, onSides, uniformSample, weighed};
 import package::minMax::{greater, lesser};
-import package::coverage::{betweenPart, nearerPart};
+import package::coverage::{betweenPart, entersPart, nearerPart};
 import package::ray::{Hit, Ray, between, innerRay, nearer, noHit};
 import package::surface::Surface;
 import package::textures::Texture;

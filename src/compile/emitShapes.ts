@@ -34,7 +34,7 @@ export function emitShapes(
   // What has passed the near side of a closed shape may meet the far one.
   const farSide = (id: number, distance: string, meet: string) => {
     if (!isPart(id) || familyOf(primitives[id]!.shape) === "flat") return "";
-    return `  if (${distance} > 0.0) { let outer = ray; let ray = innerRay(outer, ${id}u); ${meet} }\n`;
+    return `  if (entersPart(ray, ${distance}, ${id}u)) { let outer = ray; let ray = innerRay(outer, ${id}u); ${meet} }\n`;
   };
   const closest = emitted.map(({ id, distance }) => {
     const meet = (ray: string) => `hit = nearer${part(id)}(hit, ${distance}, ${id}u, ${ray});`;

@@ -40,6 +40,11 @@ fn betweenPart(t: f32, distance: f32, id: u32, ray: Ray) -> bool {
   @if(CLEAR_WALLS) return between(t, distance, id, ray) && isCovered(ray, t, id) && !shinesThrough(ray, t, id);
 }
 
+// Whether a ray that meets a closed surface with holes at t gets in there, and so may meet its far side.
+fn entersPart(ray: Ray, t: f32, id: u32) -> bool {
+  return t > 0.0 && surfacePoint(ray, Hit(t, id)).front;
+}
+
 // What the clear walls that occluded() has met let through: of light on its way; and, of what is left of a path that passed them, its
 // colour.
 @if(CLEAR_WALLS)

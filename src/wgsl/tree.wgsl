@@ -9,7 +9,7 @@
 // [2] Ize 2013, "Robust BVH Ray Traversal", JCGT 2(2)
 // [3] Ylitie, Karras, Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs"
 import package::constants::FAR;
-import package::coverage::{betweenPart, nearerPart};
+import package::coverage::{betweenPart, entersPart, nearerPart};
 import package::minMax::{greater, lesser};
 import package::ray::{Hit, Ray, between, innerRay, nearer};
 import package::scene::{PRIMITIVES, STACK_SIZE, itemIntersect};
@@ -109,7 +109,7 @@ fn treeOccludes(ray: Ray, distance: f32, target_: u32) -> bool {
 // Where a ray that meets a closed item leaves it, if it may have passed the near side; not positive if there is nothing to leave.
 @if(TREE_HOLES && TREE_CLOSED)
 fn farSide(ray: Ray, shear: Shear, slot: u32, id: u32) -> f32 {
-  if (itemAt(slot).kind <= TURNED_TRIANGLE || itemIntersect(ray, shear, slot, id) <= 0.0) { return -1.0; }
+  if (itemAt(slot).kind <= TURNED_TRIANGLE || !entersPart(ray, itemIntersect(ray, shear, slot, id), id)) { return -1.0; }
   return itemIntersect(innerRay(ray, id), shear, slot, id);
 }
 
