@@ -164,16 +164,21 @@ ${signature} {
 }
 
 function emitSamples(lobes: readonly Drawn[], { UNIFORM, BELOW }: Features): string {
+  const dense = spread(lobes).reverse();
   const deltas = lobes.flatMap(({ lobe, probability, condition, above }) => {
     if (!("delta" in lobe)) return [];
     const sample =
       above.length === 0
         ? `let share = ${probability}; return ${lobe.delta};`
         : `let share = ${probability}; var drawn = ${lobe.delta}; let wi = drawn.wi; ${above.map(({ through }) => `drawn.weight *= ${through};`).join(" ")} return drawn;`;
-    return { probability, text: condition ? `  if (${condition}) { ${sample} }\n` : `  ${sample}\n` };
+    if (condition || dense.length === 0) {
+      return { probability, text: condition ? `  if (${condition}) { ${sample} }\n` : `  ${sample}\n` };
+    }
+    // The first of the registry, whose share lies after those of lobes that have a density.
+    const others = lobes.flatMap((other) => (other.condition ? other.probability : []));
+    return { probability: `(${probability})`, text: `  if (!(lobe < ${others.join(" + ")})) { ${sample} }\n` };
   });
   const followed = deltas.map(({ text }) => text).join("");
-  const dense = spread(lobes).reverse();
   const [last, ...others] = dense;
   const left = ["1.0", ...deltas.map(({ probability }) => probability)].join(" - ");
   // Each drawn where the ones before it in [0, 1) are not.
