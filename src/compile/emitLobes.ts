@@ -134,7 +134,16 @@ function emitValue(lobes: readonly Drawn[], layers: readonly Layer[], features: 
 fn bsdfEval(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> BsdfValue {
 ${start}${sums.join("")}  return ${BELOW ? "onSides(sum, below, at)" : "aboveOnly(sum, at)"};
 }
-${MANY_LIGHTS ? emitExpectation(dense, BELOW) : ""}`;
+${features.CLEAR_WALLS && layers.length > 0 ? emitLayers(layers) : ""}${MANY_LIGHTS ? emitExpectation(dense, BELOW) : ""}`;
+}
+
+/** Of what a wall lets through, what passes the layers on it. */
+function emitLayers(layers: readonly Layer[]): string {
+  return `
+fn layersThrough(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> f32 {
+  return ${layers.map(({ through }) => through).join(" * ")};
+}
+`;
 }
 
 function emitExpectation(dense: ReturnType<typeof spread>, BELOW: boolean): string {

@@ -3,13 +3,14 @@
 //
 // Of what is there a clear wall lets some light pass straight. A path does so by chance; of light from a lamp, which goes
 // through all walls on its way, each takes its share.
+import package::basis::{frameAround, toLocal};
 import package::lobes::fresnel::transmittanceAt;
 import package::minMax::greatest;
 import package::ray::{Hit, Ray, between};
 import package::sampler::{Sampler, pcg3d, unitInterval};
-import package::scene::{PRIMITIVES, coverageOf, coverTextureOf, cutoffOf, isClearOf, occluded};
-import package::shapes::mesh::{colorOn, uvAt};
-import package::surface::bsdfOf;
+import package::scene::{PRIMITIVES, coverageOf, coverTextureOf, cutoffOf, isClearOf, layersThrough, occluded};
+import package::shapes::mesh::{colorOn, consistentNormal, uvAt};
+import package::surface::{bsdfOf, coatNormal};
 import package::surfacePoint::{SurfacePoint, primitiveOf, surfacePoint};
 import package::textures::alphaAt;
 import package::tree::{Item, TURNED_TRIANGLE, itemAt};
@@ -81,13 +82,22 @@ fn wallAt(ray: Ray, t: f32, id: u32) -> vec3f {
 @if(CLEAR_WALLS)
 fn throughWall(ray: Ray, found: SurfacePoint) -> vec3f {
   if (isClearOf(found.id) == 0.0) { return vec3f(0.0); }
-  let cosTheta = abs(dot(ray.d, found.n));
+  // As it is met: what it reflects and what it lets through are of one normal, or they would be more together than there is.
+  let side = select(-1.0, 1.0, found.front);
+  var n = side * found.n;
+  @if(SHADING_NORMALS) n = select(n, consistentNormal(side * found.shading, n, -ray.d), found.isTriangle);
+  @if(!COAT_NORMAL) let wo = vec3f(0.0, 0.0, abs(dot(ray.d, n)));
+  @if(COAT_NORMAL) let frame = frameAround(n);
+  @if(COAT_NORMAL) let wo = toLocal(frame, -ray.d);
+  @if(COAT_NORMAL) coatNormal = toLocal(frame, consistentNormal(side * found.coatN, side * found.n, -ray.d));
   var uv = Uvs(0.0);
   @if(TEXTURES) uv = found.uv;
   var color = vec3f(1.0);
   @if(COLORS) color = found.color.rgb;
-  let bsdf = bsdfOf(found.id, vec3f(0.0, 0.0, cosTheta), uv, color);
-  return bsdf.transmitted * transmittanceAt(bsdf, cosTheta);
+  let bsdf = bsdfOf(found.id, wo, uv, color);
+  let passes = bsdf.transmitted * transmittanceAt(bsdf, wo.z);
+  @if(!COAT && !SHEEN) return passes;
+  @if(COAT || SHEEN) return passes * layersThrough(bsdf, wo, -wo);
 }
 
 // A path that met a wall did so for all that would have met it.
