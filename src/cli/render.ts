@@ -2,6 +2,7 @@ import { writeFile } from "node:fs/promises";
 import { parseArgs } from "node:util";
 import { encode } from "fast-png";
 import { RtViewerError } from "../errors";
+import { missingVariant } from "../loaders/missingVariant";
 import { encodePfm } from "../renderer/encodePfm";
 import { PathTracer } from "../renderer/pathTracer";
 import type { Settings } from "../renderer/settings";
@@ -14,6 +15,7 @@ const USAGE = `Usage: npm run render -- SCENE [options]
   --samples N         per pixel, default 64
   --seed N            default 1
   --bounces N         default: the scene's maxBounces
+  --variant NAME      of a glTF file with variants
   --light-samples N   light points per hit, default 1
   --estimator NAME    path (default) or uniform
   --sampler NAME      sobol (default) or independent
@@ -26,6 +28,7 @@ const OPTIONS = {
   samples: { type: "string", default: "64" },
   seed: { type: "string", default: "1" },
   bounces: { type: "string" },
+  variant: { type: "string" },
   "light-samples": { type: "string", default: "1" },
   estimator: { type: "string", default: "path" },
   sampler: { type: "string", default: "sobol" },
@@ -69,7 +72,10 @@ async function render(args: string[]): Promise<void> {
   };
 
   const device = await requestDawnDevice();
-  const { scene, warnings } = await readScene(file, device.limits);
+  const { scene, warnings, variants } = await readScene(file, device.limits, values.variant);
+  if (values.variant !== undefined && !variants.includes(values.variant)) {
+    throw new UsageError(`--variant: ${missingVariant(file, values.variant, variants)}`);
+  }
   for (const warning of warnings) console.error(warning);
   const tracer = await PathTracer.create({
     scene,

@@ -3,6 +3,7 @@
 import { LoadError } from "../errors";
 import type { Scene } from "../scene/schema";
 import type { LoadedScene, LoadOptions } from "./loadedScene";
+import { missingVariant } from "./missingVariant";
 import { reportingAs } from "./reportingAs";
 
 /**
@@ -12,11 +13,14 @@ import { reportingAs } from "./reportingAs";
  * @throws {LoadError} if it is neither, or cannot be read. Nothing else is thrown, but the signal's reason.
  */
 export async function loadScene(bytes: Uint8Array, options: LoadOptions = {}): Promise<LoadedScene> {
-  const { name = "the file", signal } = options;
+  const { name = "the file", signal, variant } = options;
   const json = await reportingAs(name, signal, async () => (startsWith(bytes, "glTF") ? undefined : parseJson(bytes)));
   // Every glTF file has an asset, and no scene of ours.
   const isGltf = json === undefined || (typeof json === "object" && json !== null && "asset" in json);
-  if (!isGltf) return { scene: json as Scene, warnings: [], variants: [] };
+  if (!isGltf) {
+    const warnings = variant === undefined ? [] : [missingVariant("The file", variant, [])];
+    return { scene: json as Scene, warnings, variants: [] };
+  }
   const { loadGltf } = await reportingAs(name, signal, () => import("./gltf"));
   return loadGltf(bytes, options);
 }

@@ -10,9 +10,10 @@ import { reportingAs } from "./reportingAs";
  *
  * @param files - at least one: a scene, and what it refers to. With more than one, the scene is the first whose name says
  *   so; the others are found by name, whatever folder the scene expects them in.
+ * @param variant - the look of it to show, by name.
  * @throws {LoadError} if it is no scene, or refers to a file that is not there.
  */
-export async function readFiles(files: readonly Blob[], signal: AbortSignal): Promise<LoadedScene> {
+export async function readFiles(files: readonly Blob[], signal: AbortSignal, variant?: string): Promise<LoadedScene> {
   const main = [/\.gl(b|tf)$/i, /\.json$/i, /^/]
     .map((kind) => files.find((file) => kind.test(nameOf(file))))
     .find(Boolean);
@@ -25,7 +26,7 @@ export async function readFiles(files: readonly Blob[], signal: AbortSignal): Pr
   };
   const name = nameOf(main) || "the file";
   const bytes = await reportingAs(name, signal, () => bytesOf(main));
-  return loadScene(bytes, { name, signal, fetchResource });
+  return loadScene(bytes, { name, signal, fetchResource, ...(variant !== undefined && { variant }) });
 }
 
 function nameOf(file: Blob): string {

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { decode } from "fast-png";
 import { afterAll, describe, expect, test } from "vitest";
-import { triangleFile } from "../support/gltf";
+import { triangleFile, variantFile } from "../support/gltf";
 import { everythingFile } from "../support/gltfEverything";
 
 const ROOT = fileURLToPath(new URL("../..", import.meta.url));
@@ -108,6 +108,17 @@ describe("npm run render, seed 7", () => {
     expect(new Set(data).size).toBeGreaterThan(10);
   });
 
+  test("shows a variant of a .glb", async () => {
+    const out = join(folder, "variant.png");
+    const file = sceneFile("variants.glb", variantFile());
+    const outcome = await render(file, "--variant", "Blue", "--size", "32x24", "--samples", "16", "--out", out);
+    expect(outcome.stderr).toBe("");
+    expect(outcome.code).toBe(0);
+    const { data } = decode(readFileSync(out));
+    const sum = (channel: number) => [...data].reduce((sum, value, i) => sum + (i % 4 === channel ? value : 0), 0);
+    expect(sum(2)).toBeGreaterThan(1.1 * sum(0)); // all but the triangle is grey
+  });
+
   test("stops at the target error", async () => {
     const outcome = await render(CORNELL, "--size", "32x32", "--samples", "4096", "--target-error", "0.2");
     expect(outcome.code).toBe(0);
@@ -136,6 +147,10 @@ describe("npm run render ends with exit code 1, a message and no file", () => {
     "for an unknown option": { args: () => [CORNELL, "--colour", "red"], says: ["--colour", "Usage:"] },
     "for a bad size": { args: () => [CORNELL, "--size", "0x5"], says: ["--size: expected", "got 0x5"] },
     "for a bad number of samples": { args: () => [CORNELL, "--samples", "x"], says: ["--samples: expected", "got x"] },
+    "for a variant that the file does not have": {
+      args: () => [sceneFile("variants.glb", variantFile()), "--variant", "Moon"],
+      says: ["--variant: ", 'variants.glb has no variant "Moon": it has "Red", "Blue"'],
+    },
     "for an unknown estimator": {
       args: () => [CORNELL, "--estimator", "best"],
       says: ["--estimator: expected path or uniform, got best"],

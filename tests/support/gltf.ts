@@ -90,6 +90,27 @@ export function triangleFile(change: (json: TriangleJson, packer: Packer) => voi
   return packer.file(json);
 }
 
+/** That file in green, and in the variants "Red" and "Blue". */
+export function variantFile(change: (json: TriangleJson, packer: Packer) => void = () => {}): Uint8Array {
+  return triangleFile((json, packer) => {
+    const colors = { green: [0, 1, 0, 1], red: [1, 0, 0, 1], blue: [0, 0, 1, 1] };
+    json.extensionsUsed = ["KHR_materials_variants"];
+    json.extensions = { KHR_materials_variants: { variants: [{ name: "Red" }, { name: "Blue" }] } };
+    json.materials = Object.entries(colors).map(([name, baseColorFactor]) => {
+      return { name, pbrMetallicRoughness: { baseColorFactor, metallicFactor: 0 } };
+    });
+    const mappings = [
+      { material: 1, variants: [0] },
+      { material: 2, variants: [1] },
+    ];
+    Object.assign(json.meshes[0].primitives[0], {
+      material: 0,
+      extensions: { KHR_materials_variants: { mappings } },
+    });
+    change(json, packer);
+  });
+}
+
 /** A file with one mesh, of any size: its arrays are not collected value by value. */
 export function meshFile({ positions, indices }: Pick<MeshData, "positions" | "indices">): Uint8Array {
   const vertices = Float32Array.from(positions);

@@ -1,7 +1,7 @@
 // KHR_materials_variants: looks of one model, each with materials of its own.
 
-import { show } from "../../scene/describe";
-import { listed, type Warnings } from "../warnings";
+import { missingVariant } from "../missingVariant";
+import type { Warnings } from "../warnings";
 import type { GltfJson } from "./schema";
 
 /** The names of the variants, in the order of the file. */
@@ -19,8 +19,7 @@ export function applyVariant(json: GltfJson, wanted: string | undefined, warning
   const names = variantNames(json);
   const variant = names.indexOf(wanted);
   if (variant < 0) {
-    const known = names.length > 0 ? `it has ${listed(names.map(show))}` : "it has none";
-    warnings.add(`The file has no variant ${show(wanted)}: ${known}`);
+    warnings.add(missingVariant("The file", wanted, names));
     return json;
   }
   const meshes = json.meshes.map((mesh) => ({

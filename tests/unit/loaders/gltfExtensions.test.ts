@@ -86,4 +86,12 @@ describe("KHR_materials_variants", () => {
     expect(bare.variants).toEqual([]);
     expect(bare.warnings).toEqual(['The file has no variant "Moon": it has none']);
   });
+
+  test("of hundreds of variants twenty are named", async () => {
+    const { warnings } = await load((json) => {
+      const variants = Array.from({ length: 300 }, (_, i) => ({ name: `Look ${i}` }));
+      json.extensions = { KHR_materials_variants: { variants } };
+    }, "Moon");
+    expect(warnings).toEqual([expect.stringMatching(/: it has "Look 0", .*, "Look 19", 280 more$/)]);
+  });
 });

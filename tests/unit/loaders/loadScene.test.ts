@@ -13,6 +13,12 @@ describe("a file is told by what is in it", () => {
     expect(await loadScene(text("[1]"))).toEqual({ scene: [1], warnings: [], variants: [] });
   });
 
+  test("our JSON has no variants, which is said where one is wanted", async () => {
+    const { scene, warnings } = await loadScene(text('{"objects":[]}'), { variant: "Night" });
+    expect(scene).toEqual({ objects: [] });
+    expect(warnings).toEqual(['The file has no variant "Night": it has none']);
+  });
+
   test("a .glb by its first bytes, a .gltf by its asset", async () => {
     expect(meshesOf((await loadScene(triangleFile())).scene)).toHaveLength(1);
     const { warnings } = await loadScene(text('{"asset": {"version": "2.0"}}'));
