@@ -17,6 +17,18 @@ export function text(attribute: string): Reflection<string> {
   };
 }
 
+/** Any text; absent is null, which removes the attribute. */
+export function textOrNull(attribute: string): Reflection<string | null> {
+  return {
+    attribute,
+    read: (element) => element.getAttribute(attribute),
+    write(element, value) {
+      if (value === undefined || value === null) element.removeAttribute(attribute);
+      else element.setAttribute(attribute, value);
+    },
+  };
+}
+
 /** There or not there, whatever its text, which stays as it is as long as the attribute is there. */
 export function flag(attribute: string): Reflection<boolean> {
   return {

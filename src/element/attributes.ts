@@ -1,7 +1,7 @@
 import { type NumberRange, SETTING_RANGES } from "../renderer/checkSettings";
 import { DEFAULT_SETTINGS } from "../renderer/settings";
 import { TONE_MAPS } from "../renderer/view";
-import { flag, keyword, number, numberOr, type Reflection, text } from "./attributeKinds";
+import { flag, keyword, number, numberOr, type Reflection, text, textOrNull } from "./attributeKinds";
 import type { BoundOnDemand } from "./boundOnDemand";
 import { parseCameraOrbit } from "./cameraOrbit";
 import type { Face } from "./face";
@@ -54,6 +54,7 @@ export const SETTING_NAMES = Object.keys(SETTING_ATTRIBUTES) as readonly Setting
 /** Every attribute the element reacts to, by its property. */
 export const ATTRIBUTES = {
   src: { ...text("src"), apply: ({ scenes }) => scenes.noteSrc() },
+  variantName: { ...textOrNull("variant-name"), apply: ({ scenes }) => scenes.noteVariant() },
   controls: {
     ...flag("controls"),
     apply({ face, controls }, viewer) {

@@ -3,12 +3,12 @@ import type { Light, SceneObject } from "../scene/schema";
 import type { LoadProgressDetail } from "./loadProgress";
 
 /**
- * `ready`: the scene is loaded and compiled and its first picture is on the page. Once per scene, and again with a new
- * tracer after the device was lost.
+ * `ready`: the scene is loaded and compiled and its first picture is on the page. Once per scene, once
+ * per change of the variant, and again with a new tracer after the device was lost.
  */
 export type ReadyDetail = {
   readonly tracer: PathTracer;
-  /** Milliseconds from the moment the scene was asked for (the element connected, `src` or `scene` set, a device lost). */
+  /** Milliseconds from the moment the scene was asked for (the element connected, `src`, `scene` or `variantName` set, a device lost). */
   readonly milliseconds: number;
 };
 

@@ -20,6 +20,17 @@ export class ReflectedElement extends BrowserElement {
     ATTRIBUTES.src.write(this, value);
   }
 
+  /**
+   * Which of the glTF file's `variants` is shown. Attribute `variant-name`, default `null`: the materials that the file has without
+   * any, which also stand in for a variant that it does not have. The camera stays when it changes.
+   */
+  get variantName(): string | null {
+    return ATTRIBUTES.variantName.read(this);
+  }
+  set variantName(value: string | null) {
+    ATTRIBUTES.variantName.write(this, value);
+  }
+
   /** Whether pointer, wheel and keyboard move the camera. Attribute `controls`, default off. */
   get controls(): boolean {
     return ATTRIBUTES.controls.read(this);

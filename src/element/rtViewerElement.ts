@@ -96,6 +96,14 @@ export class RtViewerElement extends ReflectedElement {
   }
 
   /**
+   * Names for `variantName`, in the order of the file; empty before it is loaded, and where it has none. They are there when
+   * `ready` comes.
+   */
+  get variants(): readonly string[] {
+    return this.#parts.scenes.variants;
+  }
+
+  /**
    * Where the picture is seen from: the scene's camera, then wherever it was moved. `undefined` before there is a scene.
    * Setting it changes the fields it names; before there is a scene, they are kept for it.
    */
@@ -205,6 +213,7 @@ export class RtViewerElement extends ReflectedElement {
     face.describe(this.alt, this.controls);
     if (scenes.isCurrent) this.#updateLoop();
     else scenes.load();
+    scenes.noteVariant(); // it may have been set while the element was nowhere
   }
 
   disconnectedCallback(): void {

@@ -3,9 +3,9 @@ import type { Scene } from "../scene/schema";
 import { missingWebGpu } from "./describeError";
 import { fire } from "./events";
 import type { Face } from "./face";
-import { fetchScene } from "./fetchScene";
 import type { LoadProgressDetail } from "./loadProgress";
 import type { ReflectedElement } from "./reflectedElement";
+import { fetchedFile, openedFile, SceneFile } from "./sceneFile";
 import type { Stage } from "./stage";
 
 /** Whom the loader asks and tells. */
@@ -18,7 +18,7 @@ export type SceneLoaderOwner = {
   readonly onNothing: () => void;
 };
 
-/** Which scene the element shows, the one that was set or what `src` names; and when it is loaded. */
+/** Which scene the element shows, the one that was set or what `src` names, and in which variant; and when it is loaded. */
 export class SceneLoader {
   readonly #viewer: ReflectedElement;
   readonly #face: Face;
@@ -27,8 +27,12 @@ export class SceneLoader {
   #scene: Scene | undefined;
   /** What the panel made of the scene in the file. */
   #edited: Scene | undefined;
+  /** What the scene is from, if it is from a file: the one that `src` names, or one that was opened. */
+  #file: SceneFile | undefined;
   /** The scene or URL that was asked for last; `undefined` when there is none, or the GPU has been given back. */
   #requested: Scene | string | undefined;
+  /** The variant of the file that was asked for last. */
+  #variant: string | undefined;
   /** It has been close enough to what is seen of the page for a lazy element to load. */
   #wasNear = false;
   /** The files that are being read. */
@@ -47,8 +51,14 @@ export class SceneLoader {
   }
   set scene(scene: Scene | undefined) {
     this.#opening?.abort();
+    this.#setFile(undefined);
     this.#scene = scene;
     this.load();
+  }
+
+  /** Names of the file's variants; empty until it has been read. */
+  get variants(): readonly string[] {
+    return this.#file?.variants ?? [];
   }
 
   /** Whether the element is near enough to be loaded, and stays so. */
@@ -65,6 +75,16 @@ export class SceneLoader {
   noteSrc(): void {
     this.#opening?.abort();
     if (this.#scene === undefined) this.load();
+  }
+
+  /** The attribute `variant-name` may have changed: shows that variant, seen from where the camera is. */
+  noteVariant(): void {
+    const [file, before, wanted] = [this.#file, this.#variant, this.#wantedVariant];
+    if (file === undefined || wanted === before || this.#requested === undefined || !this.#owner.isConnected()) return;
+    this.#variant = wanted;
+    const warning = file.warningFor(wanted);
+    if (warning !== undefined) this.#warn([warning], warning);
+    if (file.shownFor(wanted) !== file.shownFor(before)) this.#show(file);
   }
 
   /** The attribute `loading` has changed. */
@@ -87,6 +107,7 @@ export class SceneLoader {
   /** The GPU has been given back: whatever is to be shown has to be asked for anew. */
   forget(): void {
     this.#requested = undefined;
+    if (this.#scene === undefined) this.#setFile(undefined);
   }
 
   /** Loads what is to be shown, though it may be shown already. */
@@ -102,13 +123,10 @@ export class SceneLoader {
       this.#owner.onError(new WebGpuError(missing));
       return;
     }
-    const { baseURI } = this.#viewer.ownerDocument;
-    this.#face.noteLoading();
-    void this.#stage.show(async (signal, report) => {
-      if (typeof source !== "string") return source;
-      report("fetching");
-      return this.#fetch(source, baseURI, signal);
-    });
+    if (typeof source === "string") this.#setFile(fetchedFile(source, this.#viewer.ownerDocument.baseURI));
+    const isRead = typeof source !== "string" && (this.#file === undefined || this.#variant === this.#wantedVariant);
+    this.#variant = this.#wantedVariant;
+    this.#show(isRead ? source : this.#file!);
   }
 
   /**
@@ -119,14 +137,19 @@ export class SceneLoader {
   async open(files: readonly Blob[]): Promise<void> {
     this.#opening?.abort();
     const opening = new AbortController();
+    const { signal } = opening;
     this.#opening = opening;
     this.#owner.onLoadProgress({ phase: "fetching", fraction: undefined });
     try {
-      const { readFiles } = await import("../loaders/readFiles");
-      const { scene, warnings } = await readFiles(files, opening.signal);
-      opening.signal.throwIfAborted();
-      this.scene = scene;
-      this.#warn(warnings);
+      const file = openedFile(files);
+      const variant = this.#wantedVariant;
+      const { scene, warnings } = await file.read(variant, signal);
+      signal.throwIfAborted();
+      this.#setFile(file);
+      this.#variant = variant;
+      this.#scene = scene;
+      this.load();
+      this.#warn(warnings, file.warningFor(variant));
     } catch (error) {
       if (!opening.signal.aborted) this.#face.hideProgress();
       throw error;
@@ -137,13 +160,42 @@ export class SceneLoader {
     return this.#scene ?? (this.#viewer.src === "" ? undefined : this.#viewer.src);
   }
 
-  async #fetch(src: string, base: string, signal: AbortSignal): Promise<Scene> {
-    const { scene, warnings } = await fetchScene(src, base, signal);
-    if (!signal.aborted) this.#warn(warnings);
+  get #wantedVariant(): string | undefined {
+    return this.#viewer.variantName || undefined;
+  }
+
+  #setFile(file: SceneFile | undefined): void {
+    if (this.#file !== undefined) {
+      this.#stage.stopLoading(); // or the end of the download would be told as an error
+      this.#file.close();
+    }
+    this.#file = file;
+  }
+
+  /** Shows a scene, or the variant that was asked for last. */
+  #show(source: Scene | SceneFile): void {
+    const variant = this.#variant;
+    this.#face.noteLoading();
+    void this.#stage.show(async (signal, report) => {
+      if (!(source instanceof SceneFile)) return source;
+      report("fetching");
+      return this.#read(source, variant, signal);
+    }, this.#file);
+  }
+
+  async #read(file: SceneFile, variant: string | undefined, signal: AbortSignal): Promise<Scene> {
+    const { scene, warnings } = await file.read(file.shownFor(variant), signal);
+    if (signal.aborted) return scene;
+    this.#edited = undefined;
+    if (this.#scene !== undefined) this.#scene = this.#requested = scene; // of files that were opened
+    this.#warn(warnings, file.warningFor(variant));
     return scene;
   }
 
-  #warn(warnings: readonly string[]): void {
+  /** @param ofVariant - the one about the variant's name, if that is wrong. */
+  #warn(warnings: readonly string[], ofVariant: string | undefined): void {
+    // biome-ignore lint/suspicious/noConsole: the others are about the file; this one is a mistake of the page's author.
+    if (ofVariant !== undefined && warnings.includes(ofVariant)) console.warn(`<rt-viewer>: ${ofVariant}`);
     if (warnings.length > 0) fire(this.#viewer, "loadwarnings", { warnings });
   }
 }

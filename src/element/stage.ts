@@ -27,6 +27,8 @@ export type StageListener = Omit<MilestoneListener, "isPaused"> & {
   readonly onRefusal: (error: Error) => void;
 };
 
+type ReadScene = (signal: AbortSignal, report: ReportProgress) => Promise<Scene>;
+
 const HOPELESS =
   "The GPU was lost again and again with this scene, so it is not tried again by itself. A simpler scene or a smaller " +
   "picture may work. Reloading the page tries again.";
@@ -52,6 +54,11 @@ export class Stage {
   #isPaused = false;
   #isCalm = false;
   #orbit: CameraOrbit | undefined;
+  /** The file of the scene that is shown, and of the one that was asked for last. */
+  #shownFile: object | undefined;
+  #wantedFile: object | undefined;
+  /** Of the tracer that was there last. */
+  #lastCamera: ResolvedCamera | undefined;
   /** What of the camera is to be changed once there is one. */
   #pendingCamera: Partial<ResolvedCamera> | undefined;
   readonly #milestones: Milestones;
@@ -128,13 +135,15 @@ export class Stage {
    * Shows a scene in place of what there is. Of several calls the last one wins. Never rejects: errors are reported.
    *
    * @param read - gives the scene, and reports how far it is.
+   * @param file - stands for the file it is from. Another scene from the file that is shown is seen from where the camera is.
    */
-  async show(read: (signal: AbortSignal, report: ReportProgress) => Promise<Scene>): Promise<void> {
+  async show(read: ReadScene, file?: object): Promise<void> {
     this.#recovery.forgive();
-    await this.#show(read);
+    await this.#show(read, file);
   }
 
-  async #show(read: (signal: AbortSignal, report: ReportProgress) => Promise<Scene>): Promise<void> {
+  async #show(read: ReadScene, file: object | undefined): Promise<void> {
+    this.#wantedFile = file;
     const requestedAt = performance.now();
     const reportFor = (signal: AbortSignal): ReportProgress => {
       return (phase, fraction) => {
@@ -193,6 +202,11 @@ export class Stage {
     this.#view?.refresh();
   }
 
+  /** Ends the loading of a scene, which is never told of. What is shown stays. */
+  stopLoading(): void {
+    this.#task.cancel();
+  }
+
   /** Ends what is under way and gives back the GPU. */
   clear(): void {
     this.#task.cancel();
@@ -201,6 +215,7 @@ export class Stage {
     this.#forgetView();
     this.#release();
     this.#pendingCamera = undefined;
+    this.#shownFile = undefined;
   }
 
   /** Goes on until the scene is on a device that lives. */
@@ -221,9 +236,10 @@ export class Stage {
       if (lease !== this.#lease) this.#hold(lease);
       report("compiling");
       const onProgress = (fraction: number) => (fraction < 1 ? report("building", fraction) : report("compiling"));
-      const options = { onProgress, signal };
+      const { tracer } = this;
+      const camera = this.#keptCamera;
+      const options = { onProgress, signal, ...(camera && { camera }) };
       try {
-        const { tracer } = this;
         await (tracer ? tracer.setScene(scene, options) : this.#open(scene, lease, options));
       } catch (error) {
         // What is wrong with the scene has nothing to do with the device, and is told at once.
@@ -231,9 +247,16 @@ export class Stage {
         if (signal.aborted || isOfScene || !(await lossOf(lease.device))) throw error;
       }
       if (signal.aborted || this.#lease !== lease || this.#view === undefined) continue;
-      this.#applyAll(this.#view);
+      this.#shownFile = this.#wantedFile;
+      this.#applyAll(this.#view, camera !== undefined);
       return;
     }
+  }
+
+  /** From where what is wanted is seen, where it is another scene of the file that is shown. */
+  get #keptCamera(): ResolvedCamera | undefined {
+    if (this.#wantedFile === undefined || this.#wantedFile !== this.#shownFile) return undefined;
+    return this.camera ?? this.#lastCamera;
   }
 
   #hold(lease: DeviceLease): void {
@@ -258,13 +281,17 @@ export class Stage {
     }
   }
 
-  /** What the page asked for while the scene was compiled, or before. */
-  #applyAll(view: CanvasView): void {
+  /**
+   * What the page asked for while the scene was compiled, or before.
+   *
+   * @param isPlaced - whether the camera has been moved there already.
+   */
+  #applyAll(view: CanvasView, isPlaced: boolean): void {
     view.resize(this.#size);
     view.look = this.#look;
     view.isCalm = this.#isCalm;
     this.#applySettings();
-    if (this.#orbit !== undefined) this.#applyOrbit();
+    if (this.#orbit !== undefined && !isPlaced) this.#applyOrbit();
     const changes = this.#pendingCamera;
     this.#pendingCamera = undefined;
     if (changes !== undefined) this.moveCamera(changes);
@@ -285,7 +312,7 @@ export class Stage {
     // Whatever is on its way to the stage will find a device by itself.
     if (this.#task.isRunning || tracer === undefined) return;
     this.#pendingCamera = tracer.camera;
-    void this.#show(async () => tracer.scene);
+    void this.#show(async () => tracer.scene, this.#shownFile);
   }
 
   async #onFailure(view: CanvasView, error: Error): Promise<void> {
@@ -298,6 +325,7 @@ export class Stage {
 
   /** The canvas keeps its picture. */
   #dropTracer(): void {
+    this.#lastCamera = this.camera;
     this.tracer?.dispose();
     this.#forgetView();
     this.#release();

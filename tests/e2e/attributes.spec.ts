@@ -24,6 +24,8 @@ test("every attribute is a property and every property an attribute", async ({ p
     ["light-samples", "lightSamples", "2", 2, 3, "3"],
     ["target-error", "targetError", "0.01", 0.01, 0.5, "0.5"],
     ["max-samples", "maxSamples", "64", 64, 128, "128"],
+    ["variant-name", "variantName", "Night", "Night", null, null],
+    ["variant-name", "variantName", "", "", "Day", "Day"],
     ["src", "src", "furnace.json", "furnace.json", "spheres.json", "spheres.json"],
   ] as const;
   const seen = await viewer.evaluate((element: RtViewerElement, rows) => {

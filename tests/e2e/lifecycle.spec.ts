@@ -52,6 +52,32 @@ test("of two sources set in a row the last one is shown, though the first comes 
   expect(objects).toBe(4);
 });
 
+test("a scene that is set while the element is moved takes the place of one that is downloaded, without an error", async ({
+  page,
+}) => {
+  let isAsked = false;
+  await page.route("**/furnace.json", () => {
+    isAsked = true; // and never answered
+  });
+  await openFixture(page);
+  const viewer = await addViewer(page, { src: "furnace.json" });
+  await expect.poll(() => isAsked).toBe(true);
+  const errors = await viewer.evaluateHandle((element: RtViewerElement) => {
+    const errors: string[] = [];
+    element.addEventListener("error", ({ detail }) => errors.push(String(detail.error)));
+    element.remove();
+    element.scene = { camera: { position: [0, 0, 5] }, objects: [], environment: { radiance: [1, 1, 1] } };
+    return new Promise<string[]>((resolve) => {
+      setTimeout(() => {
+        document.body.append(element);
+        resolve(errors);
+      }, 1);
+    });
+  });
+  await waitForSamples(viewer, 1);
+  expect(await errors.jsonValue()).toEqual([]);
+});
+
 test("ready comes once per scene, then progress, then converged at max-samples", async ({ page }) => {
   await openFixture(page);
   const events = await page.evaluate(

@@ -98,6 +98,7 @@ it("every accessor of the element but `settings` has an attribute", () => {
 
 it.each([
   ["src", ["scenes.noteSrc()"]],
+  ["variant-name", ["scenes.noteVariant()"]],
   ["controls", ["controls.rebind()", "face.describe()"]],
   ["drop", ["drop.rebind()"]],
   ["stats", ["panel.show()"]],
@@ -149,6 +150,15 @@ it("a flag that is there keeps its text when it is set again", () => {
   expect(element.getAttribute("stats")).toBe("folded");
   ATTRIBUTES.showStats.write(element, false);
   expect(element.hasAttribute("stats")).toBe(false);
+});
+
+it.each([null, undefined])("a name that is set to %j loses its attribute, and is null", (nothing) => {
+  const element = bareElement();
+  ATTRIBUTES.variantName.write(element, "Night");
+  expect(ATTRIBUTES.variantName.read(element)).toBe("Night");
+  ATTRIBUTES.variantName.write(element, nothing as null);
+  expect(element.hasAttribute("variant-name")).toBe(false);
+  expect(ATTRIBUTES.variantName.read(element)).toBeNull();
 });
 
 it("a setting that is set to undefined loses its attribute, and has its default", () => {

@@ -5,6 +5,7 @@ import type { RtViewerAttributes } from "../../../src/frameworks/attributes";
 test("templates may write every attribute of the element, and no other", () => {
   const attributes: Required<RtViewerAttributes> = {
     src: "scene.json",
+    "variant-name": "Night",
     controls: true,
     stats: "folded",
     paused: false,
