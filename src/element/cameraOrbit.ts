@@ -1,5 +1,6 @@
 import { add, cross, dot, length, normalize, scale, subtract } from "../math/vec3";
 import type { ResolvedCamera, Vec3 } from "../scene/schema";
+import { scaledFocus } from "./scaledFocus";
 
 /** Where a camera stands around its target; `undefined` leaves a part as the scene has it. */
 export type CameraOrbit = {
@@ -34,7 +35,7 @@ export function parseCameraOrbit(text: string | null): CameraOrbit | undefined {
   return { azimuthRadians, elevationRadians, distance };
 }
 
-/** Moves a camera around its target. One that sits on its target, and so has no direction, stays where it is. */
+/** Moves a camera around its target, and a focus with it. One that sits on its target, and so has no direction, stays where it is. */
 export function placeOnOrbit(camera: ResolvedCamera, orbit: CameraOrbit): ResolvedCamera {
   const offset = subtract(camera.position, camera.target);
   const metres = length(offset);
@@ -49,7 +50,8 @@ export function placeOnOrbit(camera: ResolvedCamera, orbit: CameraOrbit): Resolv
   const elevation = clamp(elevationRadians, -MAX_ELEVATION_RADIANS, MAX_ELEVATION_RADIANS);
   const level = add(scale(front, Math.cos(azimuth)), scale(side, Math.sin(azimuth)));
   const direction = add(scale(level, Math.cos(elevation)), scale(up, Math.sin(elevation)));
-  return { ...camera, position: add(camera.target, scale(direction, distance)) };
+  const position = add(camera.target, scale(direction, distance));
+  return { ...camera, position, ...scaledFocus(camera, distance / metres) };
 }
 
 /** @returns `undefined` for `auto`, NaN for what is not a finite number with one of the units. */

@@ -3,6 +3,7 @@
 
 import { quatn, vec3n } from "wgpu-matrix";
 import type { ResolvedCamera } from "../scene/schema";
+import { scaledFocus } from "./scaledFocus";
 
 /** How near to straight up or down a view may tilt: there the horizon flips. */
 const POLE_MARGIN_RADIANS = 0.01;
@@ -16,16 +17,21 @@ export const DEFAULT_ZOOM_LIMITS: ZoomLimits = { min: 1e-4, max: 1e6 };
 /**
  * Limits that make sense for a scene seen from where its author put the camera.
  *
- * @param camera - the one that zooms: of another kind than `home`, it has no limits but those of numbers.
+ * @param camera - the one that zooms. Of another kind than `home`, it may show as much at the target as `home` may.
  */
 export function zoomLimitsFor(home: ResolvedCamera, camera = home): ZoomLimits {
-  const isOrthographic = home.orthographicHeight !== undefined;
-  if (isOrthographic !== (camera.orthographicHeight !== undefined)) return DEFAULT_ZOOM_LIMITS;
-  const size = home.orthographicHeight ?? vec3n.distance(home.position, home.target);
+  const size = zoomedBy(camera, home);
   return {
     min: Math.max(DEFAULT_ZOOM_LIMITS.min, size / 100),
     max: Math.min(DEFAULT_ZOOM_LIMITS.max, size * 100),
   };
+}
+
+/** What `camera` would zoom from, if it showed as much at the target as `home` does. */
+function zoomedBy(camera: ResolvedCamera, home: ResolvedCamera): number {
+  const distance = vec3n.distance(home.position, home.target);
+  if (camera.orthographicHeight !== undefined) return home.orthographicHeight ?? distance * heightPerMetre(home);
+  return home.orthographicHeight === undefined ? distance : home.orthographicHeight / heightPerMetre(camera);
 }
 
 /**
@@ -52,8 +58,8 @@ export function orbitBy(camera: ResolvedCamera, azimuthRadians: number, elevatio
 }
 
 /**
- * Moves the camera to `factor` times its distance from the target: below 1 is nearer. An orthographic one stays, and shows `factor`
- * times the height.
+ * Moves the camera to `factor` times its distance from the target: below 1 is nearer. A focus moves with it. An orthographic one stays,
+ * and shows `factor` times the height.
  */
 export function zoomBy(
   camera: ResolvedCamera,
@@ -65,7 +71,8 @@ export function zoomBy(
   const { orthographicHeight: height } = camera;
   if (height !== undefined) return { ...camera, orthographicHeight: clamp(height * factor, limits.min, limits.max) };
   const distance = clamp(frame.distance * factor, limits.min, limits.max);
-  return { ...camera, position: toTuple(vec3n.addScaled(camera.target, frame.back, distance)) };
+  const position = toTuple(vec3n.addScaled(camera.target, frame.back, distance));
+  return { ...camera, position, ...scaledFocus(camera, distance / frame.distance) };
 }
 
 /**
@@ -78,7 +85,7 @@ export function panBy(camera: ResolvedCamera, rightShare: number, upShare: numbe
   const frame = frameOf(camera);
   if (frame === undefined || !Number.isFinite(rightShare) || !Number.isFinite(upShare)) return camera;
   const { back, right, distance } = frame;
-  const metresPerHeight = camera.orthographicHeight ?? 2 * distance * Math.tan((camera.verticalFov * Math.PI) / 360);
+  const metresPerHeight = camera.orthographicHeight ?? distance * heightPerMetre(camera);
   const pictureUp = vec3n.cross(back, right);
   const step = vec3n.addScaled(
     vec3n.scale(right, -rightShare * metresPerHeight),
@@ -90,6 +97,11 @@ export function panBy(camera: ResolvedCamera, rightShare: number, upShare: numbe
     position: toTuple(vec3n.add(camera.position, step)),
     target: toTuple(vec3n.add(camera.target, step)),
   };
+}
+
+/** Metres from the lower to the upper edge of a perspective picture, a metre away. */
+function heightPerMetre({ verticalFov }: ResolvedCamera): number {
+  return 2 * Math.tan((verticalFov * Math.PI) / 360);
 }
 
 type Frame = { up: number[]; back: number[]; right: number[]; distance: number };

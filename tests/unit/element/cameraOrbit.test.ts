@@ -80,4 +80,11 @@ describe("placeOnOrbit", () => {
     const stuck = { ...camera, position: camera.target };
     expect(placeOnOrbit(stuck, { ...AUTO, distance: 3 })).toBe(stuck);
   });
+
+  it("a focus that is given keeps its share of the distance", () => {
+    const focused = { ...camera, focusDistance: 4 };
+    expect(placeOnOrbit(focused, { ...AUTO, distance: 10 }).focusDistance).toBeCloseTo(8, 12); // from 5 m
+    expect(placeOnOrbit(focused, AUTO).focusDistance).toBe(4);
+    expect(placeOnOrbit(camera, { ...AUTO, distance: 10 })).not.toHaveProperty("focusDistance");
+  });
 });

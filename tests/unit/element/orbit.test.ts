@@ -103,9 +103,16 @@ describe("an orthographic camera", () => {
     ]);
   });
 
-  it("has no limits of the distance of a scene's camera that is none, nor that one of its height", () => {
-    expect(zoomBy(flat, 1e-3, zoomLimitsFor(tilted, flat)).orthographicHeight).toBeCloseTo(0.004, 12);
-    expect(distanceOf(zoomBy(tilted, 1e-3, zoomLimitsFor(flat, tilted)))).toBeCloseTo(distanceOf(tilted) / 1000, 12);
+  it("in place of a perspective one shows a hundredth to a hundred times as much at the target, and the other way round", () => {
+    const shown = 2 * distanceOf(tilted) * Math.tan(Math.PI / 9); // at an angle of 40°
+    for (const [factor, share] of [
+      [1e-6, 1 / 100],
+      [1e6, 100],
+    ] as const) {
+      expect(zoomBy(flat, factor, zoomLimitsFor(tilted, flat)).orthographicHeight).toBeCloseTo(share * shown, 9);
+      const distance = (share * flat.orthographicHeight!) / (2 * Math.tan(Math.PI / 9));
+      expect(distanceOf(zoomBy(tilted, factor, zoomLimitsFor(flat, tilted)))).toBeCloseTo(distance, 9);
+    }
   });
 
   it("pans by shares of its height, whatever its distance, and turns without changing it", () => {
@@ -115,6 +122,29 @@ describe("an orthographic camera", () => {
     }
     expect(orbitBy(flat, 1, 0.2).orthographicHeight).toBe(4);
     expect(distanceOf(orbitBy(flat, 1, 0.2))).toBeCloseTo(distanceOf(flat), 12);
+  });
+});
+
+describe("a camera with a lens", () => {
+  const lens: ResolvedCamera = { ...camera, aperture: 0.1 };
+
+  it("keeps the target in focus, whatever moves it", () => {
+    for (const moved of [zoomBy(lens, 0.3), orbitBy(lens, 1, 0.5), panBy(lens, 0.2, 0.1)]) {
+      expect(moved.focusDistance).toBeUndefined();
+    }
+  });
+
+  it("that says where it focuses keeps what is sharp at the target sharp, also where the zoom ends", () => {
+    expect(zoomBy({ ...lens, focusDistance: 5 }, 0.3).focusDistance).toBeCloseTo(1.5, 12);
+    const limits = zoomLimitsFor(lens);
+    const near = zoomBy({ ...lens, focusDistance: 5 }, 1e-6, limits);
+    expect(near.focusDistance).toBeCloseTo(distanceOf(near), 12);
+    expect(zoomBy(near, 1e6, limits).focusDistance).toBeCloseTo(500, 9);
+    expect(orbitBy({ ...lens, focusDistance: 4 }, 1, 0.5).focusDistance).toBe(4);
+  });
+
+  it("and parallel rays focuses where it did when it zooms, because it stays", () => {
+    expect(zoomBy({ ...lens, orthographicHeight: 4, focusDistance: 5 }, 0.3).focusDistance).toBe(5);
   });
 });
 
