@@ -6,7 +6,8 @@ export const FEATURE_GROUPS = [
     names: ["color-bleeding", "metals", "roughness", "mirror", "glass", "fabrics-and-coats", "cut-outs"],
   },
   { title: "Shapes", names: ["meshes", "files"] },
-  { title: "Precision and control", names: ["energy", "target-error", "estimators", "camera"] },
+  { title: "Camera", names: ["camera", "lens", "orthographic"] },
+  { title: "Precision", names: ["energy", "target-error", "estimators"] },
 ] as const;
 
 export const FEATURE_NAMES: readonly string[] = FEATURE_GROUPS.flatMap(({ names }) => names);

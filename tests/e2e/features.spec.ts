@@ -1,6 +1,6 @@
 import { FEATURE_NAMES } from "../../demo/features/list";
 import type { RtViewerElement } from "../../src/element";
-import { contrast, meanColor, pictureOf } from "./support/picture";
+import { contrast, difference, meanColor, pictureOf } from "./support/picture";
 import { expect, test } from "./support/test";
 import { DEMO_URL } from "./support/urls";
 import { waitForSamples } from "./support/viewer";
@@ -44,6 +44,34 @@ test("more bounces give more light", async ({ page }) => {
   const all = await brightness();
   await page.getByLabel("Bounces").fill("1");
   await expect.poll(brightness).toBeLessThan(0.8 * all);
+});
+
+test("the sliders focus the lens, open and close it", async ({ page }) => {
+  await page.goto(address("lens"));
+  const viewer = page.locator("rt-viewer");
+  const lensOf = () => viewer.evaluate(({ camera }: RtViewerElement) => [camera?.focusDistance, camera?.aperture]);
+  await waitForSamples(viewer, 1);
+  expect(await lensOf()).toEqual([0.5, 0.012]);
+  await page.getByLabel("Focus").fill("0.8");
+  await page.getByLabel("Aperture").fill("0");
+  expect(await lensOf()).toEqual([0.8, 0]);
+  await page.getByLabel("Aperture").fill("0.02");
+  expect(await lensOf()).toEqual([0.8, 0.02]);
+});
+
+test("parallel rays turn into a perspective, and back", async ({ page }) => {
+  await page.goto(address("orthographic"));
+  const viewer = page.locator("rt-viewer");
+  const heightOf = () => viewer.evaluate(({ camera }: RtViewerElement) => camera?.orthographicHeight);
+  await waitForSamples(viewer, 1);
+  const height = await heightOf();
+  expect(height).toBeGreaterThan(1);
+  const before = await pictureOf(viewer);
+  await page.getByRole("checkbox").uncheck();
+  expect(await heightOf()).toBeUndefined();
+  await expect.poll(async () => difference(before, await pictureOf(viewer))).toBeGreaterThan(10);
+  await page.getByRole("checkbox").check();
+  expect(await heightOf()).toBe(height);
 });
 
 test("a feature's scene opens in the playground as it stands", async ({ page }) => {
