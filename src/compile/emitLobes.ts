@@ -74,10 +74,13 @@ type Drawn = {
   readonly condition?: string;
 };
 
-/** In the order in which their shares lie in [0, 1): lobes of one direction first, the first of the registry last. */
-function drawn([first, ...others]: ReturnType<typeof lobesIn>, layers: readonly Layer[]): Drawn[] {
-  const [name, lobe] = first!; // every scene has one
-  const ordered = [...others].sort(([, a], [, b]) => Number("delta" in b) - Number("delta" in a));
+/** In the order in which their shares lie in [0, 1): lobes of one direction first, the first of the registry that has a density last. */
+function drawn(lobes: ReturnType<typeof lobesIn>, layers: readonly Layer[]): Drawn[] {
+  const first = lobes.find(([, lobe]) => "value" in lobe) ?? lobes[0]!; // every scene has one
+  const [name, lobe] = first;
+  const ordered = lobes
+    .filter((other) => other !== first)
+    .sort(([, a], [, b]) => Number("delta" in b) - Number("delta" in a));
   const shares = ordered.map(([name]) => `bsdf.${name}Share`);
   const above = ({ layer }: Lobe) => layers.slice(layer ? layers.indexOf(layer) + 1 : 0);
   return [

@@ -21,8 +21,8 @@ import { sides } from "./sides";
 import { isSolid, transmission } from "./transmission";
 
 /**
- * By the names that the shader gives them. The first that a scene has is drawn where no other is; of those on a layer, those of one
- * direction come last.
+ * By the names that the shader gives them. The first that a scene has is drawn where no other is, or the first that has a density; of
+ * those on a layer, those of one direction come last.
  */
 const LOBES = {
   ...{ lambert, diffuseTransmission, ggx, roughRefraction, roughWall, mirror, refraction },
