@@ -50,7 +50,12 @@ fn interfaceAt(bsdf: Bsdf, cosTheta: f32) -> Interface {
   var result = Interface(schlickFresnel(bsdf, weight), transmittance(bsdf, weight));
   @if(IRIDESCENCE) {
     if (bsdf.iridescence > 0.0) {
-      let film = filmReflectance(cosTheta, bsdf.filmIor, bsdf.filmThickness, bsdf.F0);
+      var above = cosTheta;
+      @if(REFRACTIVE) {
+        // A film reflects as much from within a solid: all of it, where the solid's interface does.
+        if (bsdf.eta > 0.0 && !package::surface::seesFront) { above = sqrt(greater(refractedCos2(cosTheta, bsdf.eta), 0.0)); }
+      }
+      let film = filmReflectance(above, bsdf.filmIor, bsdf.filmThickness, bsdf.F0);
       result.F = mix(result.F, film, bsdf.iridescence);
       result.through = mix(result.through, 1.0 - greatest(film), bsdf.iridescence);
     }
