@@ -12,9 +12,9 @@ const SLIVER = 1e-4;
 /**
  * The probability that samples of the expected distribution deviate from it as far as these do, or further.
  *
- * @returns 0 if bins that expect nothing hold more than 1e-4 of the samples.
+ * @param sliver - the share of the samples that bins may hold although they expect none; more of them makes 0.
  */
-export function chiSquareTest(observed: ArrayLike<number>, expected: ArrayLike<number>): number {
+export function chiSquareTest(observed: ArrayLike<number>, expected: ArrayLike<number>, sliver = SLIVER): number {
   const order = Array.from(expected, (_, i) => i).sort((a, b) => expected[a]! - expected[b]!);
   const sampleCount = Array.from(observed).reduce((sum, count) => sum + count, 0);
   let chi2 = 0;
@@ -23,7 +23,7 @@ export function chiSquareTest(observed: ArrayLike<number>, expected: ArrayLike<n
   for (const i of order) {
     pooledObserved += observed[i]!;
     pooledExpected += expected[i]!;
-    if (pooledExpected === 0 && pooledObserved > SLIVER * sampleCount) return 0;
+    if (pooledExpected === 0 && pooledObserved > sliver * sampleCount) return 0;
     if (pooledExpected < MIN_EXPECTED) continue;
     chi2 += (pooledObserved - pooledExpected) ** 2 / pooledExpected;
     bins++;

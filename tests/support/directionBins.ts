@@ -30,21 +30,24 @@ export function binOf({ axis, scale, most }: Polar, direction: Vec3): number | u
   return ring < RINGS ? ring * SECTORS + sector : undefined;
 }
 
-/** Directions with the solid angle that each stands for; the first STEPS² lie in bin 0, and so on. */
-export function binDirections({ axis, scale, most }: Polar): { direction: Vec3; solidAngle: number; bin: number }[] {
+/** Directions with the solid angle that each stands for; the first `steps`² lie in bin 0, and so on. */
+export function binDirections(
+  { axis, scale, most }: Polar,
+  steps = STEPS,
+): { direction: Vec3; solidAngle: number; bin: number }[] {
   const [t, b] = tangents(axis);
   const range = Math.log1p(most / scale);
-  return Array.from({ length: BIN_COUNT * STEPS ** 2 }, (_, n) => {
-    const bin = Math.floor(n / STEPS ** 2);
-    const [i, j] = [Math.floor((n % STEPS ** 2) / STEPS), n % STEPS];
-    const x = (Math.floor(bin / SECTORS) + (i + 0.5) / STEPS) / RINGS;
-    const phi = (2 * Math.PI * ((bin % SECTORS) + (j + 0.5) / STEPS)) / SECTORS;
+  return Array.from({ length: BIN_COUNT * steps ** 2 }, (_, n) => {
+    const bin = Math.floor(n / steps ** 2);
+    const [i, j] = [Math.floor((n % steps ** 2) / steps), n % steps];
+    const x = (Math.floor(bin / SECTORS) + (i + 0.5) / steps) / RINGS;
+    const phi = (2 * Math.PI * ((bin % SECTORS) + (j + 0.5) / steps)) / SECTORS;
     const away = scale * Math.expm1(x * range);
     const radius = Math.sqrt(away * (2 - away));
     const [u, v] = [radius * Math.cos(phi), radius * Math.sin(phi)];
     const direction = axis.map((a, k) => (1 - away) * a + u * t[k]! + v * b[k]!) as unknown as Vec3;
     const perX = (away + scale) * range;
-    return { direction, bin, solidAngle: (2 * Math.PI * perX) / (BIN_COUNT * STEPS ** 2) };
+    return { direction, bin, solidAngle: (2 * Math.PI * perX) / (BIN_COUNT * steps ** 2) };
   });
 }
 
@@ -60,10 +63,10 @@ export function normalize(a: Vec3): Vec3 {
   return [a[0] / length, a[1] / length, a[2] / length];
 }
 
-function cross(a: Vec3, b: Vec3): Vec3 {
+export function cross(a: Vec3, b: Vec3): Vec3 {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }
 
-function dot(a: Vec3, b: Vec3): number {
+export function dot(a: Vec3, b: Vec3): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
