@@ -49,29 +49,41 @@ export function charlieLambda(cosine: number, alpha: number): number {
   return Math.exp(cosine < 0.5 ? L(cosine) : 2 * L(0.5) - L(1 - cosine));
 }
 
-/** f of white fibres, before any cut. [3] eq. 1, 2 */
+/** As in src/lobes/sheen.wgsl: [3] reflects any amount of light where a cosine goes to 0. */
+const LEAST_SLANT = 1e-4;
+
+/** f of white fibres, before they are cut to what light there is. [3] eq. 1, 2 */
 export function charlie(wo: Vec3, wi: Vec3, alpha: number): number {
+  const [cosO, cosI] = [Math.max(wo[2], LEAST_SLANT), Math.max(wi[2], LEAST_SLANT)];
   const h = normalize(add(wo, wi));
-  const D = ((2 + 1 / alpha) * Math.hypot(h[0], h[1]) ** (1 / alpha)) / (2 * Math.PI);
-  return D / (1 + charlieLambda(wo[2], alpha) + charlieLambda(wi[2], alpha)) / (4 * wo[2] * wi[2]);
+  const D = charlieDensity(h[0] ** 2 + h[1] ** 2, alpha);
+  return D / (1 + charlieLambda(cosO, alpha) + charlieLambda(cosI, alpha)) / (4 * cosO * wi[2]);
 }
 
-/** ∫ charlie·cos over the hemisphere, in cosI = v³ and φ: without the peak that low roughnesses have at grazing angles. */
-export function charlieAlbedo(cosO: number, alpha: number, steps = 256): number {
+/** ∫ charlie·cos over the hemisphere, by the midpoint rule in cosI = v³ and φ: low roughnesses shine at grazing angles. */
+export function charlieAlbedo(cosO: number, alpha: number, steps = 96): number {
   const sinO = Math.sqrt(1 - cosO ** 2);
+  const slant = Math.max(cosO, LEAST_SLANT);
+  const lambdaO = charlieLambda(slant, alpha);
   let sum = 0;
   for (let i = 0; i < steps; i++) {
     const v = (i + 0.5) / steps;
     const cosI = v ** 3;
     const sinI = Math.sqrt(1 - cosI ** 2);
+    let D = 0;
     for (let j = 0; j < steps; j++) {
-      // Half the azimuths, finer where wi is on wo's side and where it is across.
       const phi = (Math.PI * (j + 0.5)) / steps;
-      const wi: Vec3 = [sinI * Math.cos(phi), sinI * Math.sin(phi), cosI];
-      sum += charlie([sinO, 0, cosO], wi, alpha) * cosI * 3 * v ** 2;
+      const across2 = sinO ** 2 + sinI ** 2 + 2 * sinO * sinI * Math.cos(phi);
+      D += charlieDensity(across2 / (across2 + (cosO + cosI) ** 2), alpha);
     }
+    sum += (D * 3 * v ** 2) / (1 + lambdaO + charlieLambda(Math.max(cosI, LEAST_SLANT), alpha)) / (4 * slant);
   }
   return (sum * 2 * Math.PI) / steps ** 2;
+}
+
+/** Of fibres' normals, by the square of their sine. [3] eq. 2 */
+function charlieDensity(sin2: number, alpha: number): number {
+  return ((2 + 1 / alpha) * sin2 ** (0.5 / alpha)) / (2 * Math.PI);
 }
 
 /** The share of light that a clear coat reflects under an angle. [4]; its ior is 1.5 */
@@ -182,7 +194,7 @@ export function albedoOf(
   wo: Vec3,
   front = true,
   sheenAlbedo: SheenAlbedo = () => 0,
-  steps = 96,
+  steps = 48,
 ): Albedo {
   const { roughness = 1, clearcoat = 0, clearcoatRoughness = 0, sheenColor = [0, 0, 0] } = material;
   const { diffuse, translucent, passed } = below(material);
@@ -225,7 +237,9 @@ export function albedoOf(
     });
   }
 
-  for (let i = 0; i < steps; i++) {
+  const hasFibres = Math.max(...sheenColor) > 0;
+  const isDense = hasFibres || Math.max(...diffuse, ...translucent) > 0;
+  for (let i = 0; isDense && i < steps; i++) {
     for (let j = 0; j < 2 * steps; j++) {
       // cos = v³, which fibres at grazing angles need; cos dω = v³·3v² dv dφ.
       const v = (i + 0.5) / steps;
@@ -238,7 +252,7 @@ export function albedoOf(
       const kept = (through * seen(wi) * measure) / Math.PI;
       above = add(above, scale(diffuse, kept));
       under = add(under, scale(translucent, kept));
-      if (Math.max(...sheenColor) === 0) continue;
+      if (!hasFibres) continue;
       above = add(above, scale(sheenOf(material, wo, wi, sheenAlbedo), coatThrough(material, wo, wi) * measure));
     }
   }
