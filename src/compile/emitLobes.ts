@@ -183,12 +183,7 @@ function emitSamples(lobes: readonly Drawn[], { UNIFORM, BELOW }: Features): str
       above.length === 0
         ? `let share = ${probability}; return ${lobe.delta};`
         : `let share = ${probability}; var drawn = ${lobe.delta}; let wi = drawn.wi; ${above.map(({ through }) => `drawn.weight *= ${through};`).join(" ")} return drawn;`;
-    if (condition || dense.length === 0) {
-      return { probability, text: condition ? `  if (${condition}) { ${sample} }\n` : `  ${sample}\n` };
-    }
-    // The first of the registry, whose share lies after those of lobes that have a density.
-    const others = lobes.flatMap((other) => (other.condition ? other.probability : []));
-    return { probability: `(${probability})`, text: `  if (!(lobe < ${others.join(" + ")})) { ${sample} }\n` };
+    return { probability, text: condition ? `  if (${condition}) { ${sample} }\n` : `  ${sample}\n` };
   });
   const followed = deltas.map(({ text }) => text).join("");
   const [last, ...others] = dense;
