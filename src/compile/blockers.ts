@@ -1,4 +1,5 @@
 import type { Ball, Light } from "../lights/light";
+import { scattersBelow } from "../lobes/lobes";
 import { dot, scale, subtract } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
 import { along } from "../shapes/along";
@@ -38,17 +39,17 @@ export class Blockers {
   /**
    * Whether primitive `id` can block.
    *
-   * @param camera - relative to the compiled scene's origin. Nothing crosses an infinite plane, so behind one that has the
-   * camera and all lights in front, nothing is ever shaded.
+   * @param camera - relative to the compiled scene's origin. Nothing crosses an infinite plane that lets no light through, so
+   * behind one that has the camera and all lights in front, nothing is ever shaded.
    * @param reach - how far from there camera rays may start.
    */
   canBlock(id: number, camera: Vec3, reach = 0): boolean {
-    const { shape } = this.#primitives[id]!;
+    const { shape, material } = this.#primitives[id]!;
     const flat = kindOf(shape).plane(shape);
     if (!flat) return true;
     const { point, normal } = flat;
     if (hullOf(shape) === undefined) {
-      if (!Number.isFinite(reach)) return true;
+      if (!Number.isFinite(reach) || (material !== "black" && scattersBelow(material))) return true;
       const range = remembered(this.#ranges, id, () => rangeOf(this.#lights, point, normal));
       const side = dot(subtract(camera, point), normal);
       return !isOnOneSide({ least: Math.min(range.least, side - reach), most: Math.max(range.most, side + reach) });

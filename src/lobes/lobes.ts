@@ -55,8 +55,13 @@ export function lobeFeatures(materials: readonly ResolvedMaterial[]) {
     // Some reflectance is another than Schlick's.
     EXACT_FRESNEL: all.some((material) => isSolid(material) || hasFilm(material)),
     // Some lobe's directions are those below the surface.
-    BELOW: all.some((material) => lobesOf(material).some(({ isBelow }) => isBelow)),
+    BELOW: all.some(scattersBelow),
   };
+}
+
+/** Whether light gets through a surface, however it is bent or scattered there. */
+export function scattersBelow(material: ResolvedMaterial): boolean {
+  return lobesOf(material).some(({ isBelow }) => isBelow);
 }
 
 function lobesOf(material: ResolvedMaterial): Lobe[] {

@@ -63,6 +63,14 @@ describe("an infinite plane", () => {
     expect(blockersOf([ground, sunk], [lamp])).not.toContain(0);
   });
 
+  test("of water or paper may block, because light gets to what lies behind it", () => {
+    const opaque = sceneOf([ground], [lamp]);
+    for (const more of [{ transmission: 1, thickness: 1 }, { diffuseTransmission: 0.5 }]) {
+      const materials = { ...opaque.materials, lambert: { ...opaque.materials!.lambert, ...more } };
+      expect(blockersIn(parseScene({ ...opaque, materials }), CAMERA)).toContain(0);
+    }
+  });
+
   test("blocks for a camera on its other side", () => {
     expect(blockersOf([ground], [lamp], [0, -1, 5])).toContain(0);
   });
