@@ -1,4 +1,5 @@
 import type { Light } from "../lights/light";
+import { absorbs } from "../lobes/absorption";
 import { hasHoles } from "../lobes/coverage";
 import { LOBE_WORDS, lobeFeatures } from "../lobes/lobes";
 import { TEXTURE_FIELDS, type TextureField } from "../scene/schema";
@@ -76,6 +77,10 @@ export function deriveFeatures(
     UV_TRANSFORMS: TEXTURE_FIELDS.some((field) => materials.some(({ [field]: t }) => t !== undefined && !isPlain(t))),
     ...lobes,
     COLORED_WALLS: lobes.COLORED_WALLS || (lobes.CLEAR_WALLS && COLORS),
+    // Some solid in which light gets lost is infinite.
+    OCEANS: primitives.some(
+      ({ shape, material }) => hullOf(shape) === undefined && material !== "black" && absorbs(material),
+    ),
     EMISSION: primitives.some(isEmissive),
     EMISSIVE_BALLS: primitives.some((primitive) => isEmissive(primitive) && familyOf(primitive.shape) === "ball"),
     VISIBLE_EMITTERS: primitives.some(isEmissive) && settings.estimator === "path",

@@ -1,15 +1,18 @@
 import type { ResolvedMaterial, Vec3 } from "../scene/schema";
+import { isTranslucent } from "./diffuseTransmission";
 import type { MaterialFeatures, MaterialPart } from "./lobe";
+import { isTransmissive } from "./transmission";
 
 // Per metre: nothing passes. Times any distance it is finite.
 const MAX_SIGMA = 1e18;
 
 /** Bounds a solid that light gets into. */
-function isVolume({ thickness, transmission, diffuseTransmission }: ResolvedMaterial): boolean {
-  return thickness > 0 && (transmission > 0 || diffuseTransmission > 0);
+function isVolume(material: ResolvedMaterial): boolean {
+  return material.thickness > 0 && (isTransmissive(material) || isTranslucent(material));
 }
 
-function absorbs(material: ResolvedMaterial): boolean {
+/** Bounds one in which light gets lost. */
+export function absorbs(material: ResolvedMaterial): boolean {
   const { attenuationDistance, attenuationColor } = material;
   return isVolume(material) && attenuationDistance !== undefined && attenuationColor.some((channel) => channel < 1);
 }

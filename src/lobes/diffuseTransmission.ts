@@ -3,7 +3,7 @@ import type { ResolvedMaterial } from "../scene/schema";
 import type { Lobe } from "./lobe";
 
 /** Light that leaves the other side in all directions: paper, leaves, lampshades. */
-function isTranslucent({ diffuseTransmission, metallic, metallicRoughnessTexture }: ResolvedMaterial): boolean {
+export function isTranslucent({ diffuseTransmission, metallic, metallicRoughnessTexture }: ResolvedMaterial): boolean {
   return diffuseTransmission > 0 && (metallic < 1 || metallicRoughnessTexture !== undefined);
 }
 

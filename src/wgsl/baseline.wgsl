@@ -22,7 +22,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   @if(LENS) var ray = lensRay(pixel, point(samples, PIXEL), point(samples, LENS_POINT));
   // Whether emitters that this ray hits have been counted already, by light sampling at its origin.
   var counted = false;
-  @if(ABSORPTION) enterScene();
+  @if(ABSORPTION) enterScene(ray);
   @if(DISPERSION) drawColor(samples);
   for (var depth = 0u; ; depth++) {
     @if(HOLES) drawCoverage(samples, dimensionAt(depth, PIXEL));
@@ -36,7 +36,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     }
     let surface = surfaceAt(ray, hit);
     @if(CLEAR_WALLS) beta *= surface.odds;
-    @if(ABSORPTION) meetSide(surface);
+    @if(ABSORPTION) meetSide(ray, surface);
     @if(ABSORPTION) beta *= absorbed(hit.t);
     @if(DISPERSION) beta *= disperse(surface.id);
     @if(EMISSION) L += select(beta * surface.Le, vec3f(0.0), counted && surface.lightPdf > 0.0);

@@ -10,6 +10,7 @@ import package::constants::NONE;
 import package::coverage::{drawCoverage, tintBefore};
 import package::dimensions::{EMITTER_LENS_POINT, EMITTER_PIXEL};
 import package::lens::lensRay;
+import package::medium::{absorbed, enterScene, meetSide};
 import package::sampler::{Sampler, point, subsample};
 import package::scene::closestHit;
 import package::surface::surfaceAt;
@@ -33,10 +34,18 @@ fn emitterLight(pixel: vec2u, samples: Sampler) -> vec3f {
     @if(HOLES) drawCoverage(subsample(samples, i, EMITTER_RAYS), EMITTER_PIXEL);
     let hit = closestHit(ray);
     countRay();
-    @if(!CLEAR_WALLS) if (hit.id != NONE) { sum += surfaceAt(ray, hit).Le; }
-    @if(CLEAR_WALLS) if (hit.id != NONE) {
+    @if(!CLEAR_WALLS && !ABSORPTION) if (hit.id != NONE) { sum += surfaceAt(ray, hit).Le; }
+    @if(CLEAR_WALLS || ABSORPTION) if (hit.id != NONE) {
       let surface = surfaceAt(ray, hit);
-      var Le = surface.Le * surface.odds;
+      var Le = surface.Le;
+      @if(ABSORPTION) {
+        if (any(Le > vec3f(0.0))) {
+          enterScene(ray);
+          meetSide(ray, surface);
+          Le *= absorbed(hit.t);
+        }
+      }
+      @if(CLEAR_WALLS) Le *= surface.odds;
       @if(COLORED_WALLS) Le *= tintBefore(ray, hit.t);
       sum += Le;
     }

@@ -1,29 +1,75 @@
 // What light loses in the solids that it goes through. KHR_materials_volume
 //
 // A path remembers what it is in, and what is around that: two levels are enough for a solid in a solid. Where it meets the inside of a
-// solid it has been in that one, wherever it started: so a camera inside of one needs nothing of its own.
+// solid it has been in that one, wherever it started. Where a camera sees something else first, a look beyond that tells what it is in.
 //
 // [1] Pharr, Jakob, Humphreys 2023, "Physically Based Rendering", 4th ed., eq. 11.10
-import package::scene::{isVolumeOf, sigmaOf};
+import package::constants::{FAR, NONE};
+import package::frameUniforms::{countRay, frame};
+import package::ray::{Ray, makeRay};
+import package::scene::{closestHit, isVolumeOf, sigmaOf};
 import package::surface::Surface;
+import package::surfacePoint::{otherSourceAt, surfacePoint};
 
 // Absorption coefficients, per unit of length.
 var<private> medium: vec3f;
 var<private> around: vec3f;
+// Whether the path has found out what the camera is in, and how far in front of that its first ray starts.
+var<private> isKnown: bool;
+var<private> ahead: f32;
 
-fn enterScene() {
+// Surfaces that a look for what the camera is in goes through, at most.
+const MOST_SIDES = 8u;
+
+// ray: a path's first.
+fn enterScene(ray: Ray) {
   medium = vec3f(0.0);
   around = vec3f(0.0);
+  isKnown = false;
+  // Of an orthographic camera this is not known.
+  ahead = select(frame.near / dot(ray.d, frame.forward), 0.0, frame.near > FAR);
 }
 
 // The transmittance of a way through the medium. [1]
 fn absorbed(distance: f32) -> vec3f {
-  return exp(-distance * medium);
+  let way = distance + ahead;
+  ahead = 0.0;
+  return exp(-way * medium);
 }
 
 // To be called where a path meets a surface, before what it loses on its way is counted.
-fn meetSide(surface: Surface) {
-  if (isVolumeOf(surface.id) > 0.0 && !surface.front) { medium = sigmaOf(surface.id); }
+fn meetSide(ray: Ray, surface: Surface) {
+  let isSolid = isVolumeOf(surface.id) > 0.0;
+  if (isSolid && !surface.front) {
+    medium = sigmaOf(surface.id);
+  } else if (!isKnown) {
+    medium = mediumBefore(makeRay(surface.below, ray.d, surface.otherSource), isSolid);
+    @if(OCEANS) {
+      // What has no other side may lie behind.
+      if (all(medium == vec3f(0.0))) { medium = mediumBefore(makeRay(ray.o, -ray.d, NONE), false); }
+    }
+  }
+  isKnown = true;
+}
+
+// What a ray goes through before it gets into a solid, or not: the first one that it leaves again without having entered it.
+fn mediumBefore(start: Ray, isInside: bool) -> vec3f {
+  var ray = start;
+  var entered = select(0, 1, isInside);
+  for (var i = 0u; i < MOST_SIDES; i++) {
+    let hit = closestHit(ray);
+    countRay();
+    if (hit.id == NONE) { break; }
+    let found = surfacePoint(ray, hit);
+    if (isVolumeOf(found.id) > 0.0) {
+      if (!found.front && entered == 0) { return sigmaOf(found.id); }
+      entered += select(-1, 1, found.front);
+    }
+    var p = found.p;
+    @if(MESHES) p += select(found.clearance, -found.clearance, found.front) * found.n;
+    ray = makeRay(p, ray.d, otherSourceAt(found, hit));
+  }
+  return vec3f(0.0);
 }
 
 // What a ray that leaves a surface gets into. wi in world space.

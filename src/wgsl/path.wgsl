@@ -35,7 +35,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   // Where the ray started, and the weight of all lights there.
   @if(MANY_LIGHTS) var last: Surface;
   @if(MANY_LIGHTS) var totalWeight = 1.0;
-  @if(ABSORPTION) enterScene();
+  @if(ABSORPTION) enterScene(ray);
   @if(DISPERSION) drawColor(samples);
   for (var depth = 0u; ; depth++) {
     @if(HOLES) drawCoverage(samples, dimensionAt(depth, PIXEL));
@@ -49,7 +49,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     }
     let surface = surfaceAt(ray, hit);
     @if(CLEAR_WALLS) beta *= surface.odds;
-    @if(ABSORPTION) meetSide(surface);
+    @if(ABSORPTION) meetSide(ray, surface);
     @if(ABSORPTION) beta *= absorbed(hit.t);
     @if(DISPERSION) beta *= disperse(surface.id);
     @if(EMISSION) {
