@@ -1,4 +1,10 @@
+import type { Scene } from "rt-viewer";
 import type { RtViewerElement } from "rt-viewer/element";
+
+/** Scenes made by code, by the `data-model` of their viewers. */
+const MODELS: { readonly [name: string]: () => Promise<Scene> } = {
+  perfume: async () => (await import("./perfume")).perfumeScene(),
+};
 
 /** Gives each viewer its scene once the one before it shows a picture, so that the first one is not kept waiting. */
 export async function loadInTurn(viewers: readonly RtViewerElement[]): Promise<void> {
@@ -6,7 +12,9 @@ export async function loadInTurn(viewers: readonly RtViewerElement[]): Promise<v
     const settled = new Promise<void>((resolve) => {
       for (const type of ["ready", "error"]) viewer.addEventListener(type, () => resolve(), { once: true });
     });
-    viewer.src = viewer.dataset.src ?? "";
+    const { src = "", model = "" } = viewer.dataset;
+    if (MODELS[model] !== undefined) viewer.scene = await MODELS[model]();
+    else viewer.src = src;
     await settled;
   }
 }

@@ -10,6 +10,7 @@ const SAMPLES = 64; // its noise is hardly more than what the compression leaves
 const QUALITIES = [0.85, 0.75, 0.65]; // the first that is small enough
 const MAX_BYTES = 40_000;
 const TIMEOUT_MS = 120_000;
+const MODELS = ["perfume"]; // of the gallery, made by code
 
 /**
  * `npm run posters [-- NAME…]`: the pictures shown while a viewer loads, made by the viewers themselves on the pages they
@@ -17,7 +18,11 @@ const TIMEOUT_MS = 120_000;
  */
 export async function main(names: string[]): Promise<void> {
   const places = [
-    ...EXAMPLES.map(({ name }) => ({ name, path: "", selector: `#${name} rt-viewer` })),
+    ...[...EXAMPLES.map(({ name }) => name), ...MODELS].map((name) => ({
+      name,
+      path: "",
+      selector: `#${name} rt-viewer`,
+    })),
     ...FEATURE_NAMES.map((name) => ({ name, path: `features/${name}.html`, selector: ".result rt-viewer" })),
   ];
   await visitDemo(async (browser, url) => {
@@ -33,22 +38,23 @@ export async function main(names: string[]): Promise<void> {
 }
 
 async function takePicture(page: Page, selector: string): Promise<Buffer> {
-  await page
-    .locator(selector)
-    .first()
-    .evaluate(
-      (element: RtViewerElement, { width, height, samples }) => {
-        // A copy, alone: the page's scripts make its own viewers wait for each other.
-        const copy = element.cloneNode() as RtViewerElement;
-        copy.src ||= element.dataset.src ?? "";
-        if (element.scene !== undefined) copy.scene = element.scene;
-        copy.settings = element.settings;
-        if (copy.maxSamples === Number.POSITIVE_INFINITY) copy.maxSamples = samples;
-        copy.style.cssText = `position: fixed; inset: 0 auto auto 0; width: ${width}px; height: ${height}px`;
-        document.body.replaceChildren(copy);
-      },
-      { ...SIZE, samples: SAMPLES },
-    );
+  const original = page.locator(selector).first();
+  const hasScene = () =>
+    original.evaluate((element: RtViewerElement) => element.dataset.model === undefined || element.scene !== undefined);
+  await expect.poll(hasScene, { timeout: TIMEOUT_MS }).toBe(true);
+  await original.evaluate(
+    (element: RtViewerElement, { width, height, samples }) => {
+      // A copy, alone: the page's scripts make its own viewers wait for each other.
+      const copy = element.cloneNode() as RtViewerElement;
+      copy.src ||= element.dataset.src ?? "";
+      if (element.scene !== undefined) copy.scene = element.scene;
+      copy.settings = element.settings;
+      if (copy.maxSamples === Number.POSITIVE_INFINITY) copy.maxSamples = samples;
+      copy.style.cssText = `position: fixed; inset: 0 auto auto 0; width: ${width}px; height: ${height}px`;
+      document.body.replaceChildren(copy);
+    },
+    { ...SIZE, samples: SAMPLES },
+  );
   const viewer = page.locator("rt-viewer");
   const isDone = () =>
     viewer.evaluate(

@@ -44,7 +44,7 @@ export function siteHeader(path: string): string {
 export function siteFooter(): string {
   return `<footer class="site">
       <p>
-        The scenes of the gallery are tested, pixel by pixel, against <a href="https://mitsuba-renderer.org">Mitsuba 3</a> at
+        The scenes of the gallery, but the bottle, are tested, pixel by pixel, against <a href="https://mitsuba-renderer.org">Mitsuba 3</a> at
         65,536 samples per pixel. rt-viewer is free software under the MIT licence.
       </p>
     </footer>`;

@@ -3,11 +3,11 @@ import { contrast, pictureOf } from "./support/picture";
 import { expect, test } from "./support/test";
 import { DEMO_URL } from "./support/urls";
 
-test("the gallery's five viewers become ready and show something", async ({ page }) => {
-  test.setTimeout(120_000);
+test("the gallery's six viewers become ready and show something", async ({ page }) => {
+  test.setTimeout(150_000);
   await page.goto(DEMO_URL);
   const viewers = page.locator("rt-viewer");
-  await expect(viewers).toHaveCount(5);
+  await expect(viewers).toHaveCount(6);
   for (const viewer of await viewers.all()) {
     await viewer.scrollIntoViewIfNeeded();
     const stats = () => viewer.evaluate((element: RtViewerElement) => element.stats);
