@@ -48,6 +48,8 @@ fn interfaceAt(bsdf: Bsdf, cosTheta: f32) -> Interface {
     if (bsdf.eta > 0.0) { weight = dielectricWeight(cosTheta, bsdf.eta); }
   }
   var result = Interface(schlickFresnel(bsdf, weight), transmittance(bsdf, weight));
+  // Dielectrics reflect less under some angle than at normal incidence: the weight may be negative, by rounding or for an ior above 3.7.
+  @if(TINTED) result.F = max(result.F, vec3f(0.0));
   @if(IRIDESCENCE) {
     if (bsdf.iridescence > 0.0) {
       var above = cosTheta;

@@ -45,7 +45,8 @@ export function interfaceOf(material: Material, cosine: number, front = true): {
   const eta = etaOf(material, front);
   const weight =
     eta === undefined ? schlickWeight(cosine) : (dielectricReflectance(cosine, eta) - atNormal) / (1 - atNormal);
-  const between = (low: number, high: number) => low + (high - low) * weight;
+  // Where a dielectric reflects less than at normal incidence, a colour may have less than nothing to reflect.
+  const between = (low: number, high: number) => Math.max(low + (high - low) * weight, 0);
   const dielectric = f0.map((low) => between(low, f90));
   const F = dielectric.map((value, c) => (1 - metallic) * value + metallic * between(baseColor[c]!, 1));
   const through = 1 - Math.max(...dielectric);
