@@ -28,6 +28,7 @@ fn roughWallValue(bsdf: Bsdf, at: Directions) -> BsdfValue {
 }
 
 fn roughWallDirection(bsdf: Bsdf, wo: vec3f, u: vec2f) -> vec3f {
+  if (!isRoughWall(bsdf)) { return vec3f(0.0); }
   let wi = reflect(-wo, microfacetSample(bsdf, wo, u));
   return vec3f(wi.xy, -wi.z);
 }
