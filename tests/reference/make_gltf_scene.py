@@ -4,11 +4,11 @@ Usage: python make_gltf_scene.py
 Everything is Lambert (KHR_materials_ior 1) and faceted: what renderers agree on to the last digit. The lamp is one of the
 mirrored: to shine outwards its triangles must be turned around.
 """
-import json
 import os
-import struct
 
 import numpy as np
+
+from glb import Glb, turned
 
 FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'mirrored.glb')
 
@@ -17,35 +17,19 @@ FLOOR = [(-3, 0, -3), (-3, 0, 3), (3, 0, 3), (3, 0, -3)], [0, 1, 2, 0, 2, 3]
 SHARD = [(-1, 0, -.6), (1, 0, -.6), (.1, 0, 1), (.6, 1.6, .3)], [0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0]
 
 
-def turned(axis, degrees):
-    half = np.radians(degrees) / 2
-    return [*(np.array(axis) / np.linalg.norm(axis) * np.sin(half)).tolist(), float(np.cos(half))]
-
-
 def lambert(name, colour, **more):
     return {'name': name, 'pbrMetallicRoughness': {'baseColorFactor': [*colour, 1], 'metallicFactor': 0},
             'extensions': {'KHR_materials_ior': {'ior': 1}, **more.pop('extensions', {})}, 'doubleSided': True, **more}
 
 
 def main():
-    binary, views, accessors = b'', [], []
-
-    def accessor(values, code, kind, **more):
-        nonlocal binary
-        data = struct.pack(f'<{len(values)}{code}', *values)
-        views.append({'buffer': 0, 'byteOffset': len(binary), 'byteLength': len(data)})
-        binary += data + b'\0' * (-len(data) % 4)
-        accessors.append({'bufferView': len(views) - 1, 'componentType': {'f': 5126, 'H': 5123}[code], 'type': kind, **more})
-        return len(accessors) - 1
+    glb = Glb()
 
     def mesh(positions, indices, *materials):
-        p = np.float32(positions)
-        at = accessor(p.ravel().tolist(), 'f', 'VEC3', count=len(p), min=p.min(0).tolist(), max=p.max(0).tolist())
-        faces = accessor(indices, 'H', 'SCALAR', count=len(indices))
-        return [{'primitives': [{'attributes': {'POSITION': at}, 'indices': faces, 'material': m}]} for m in materials]
+        attributes, faces = {'POSITION': glb.vectors(positions, 'VEC3')}, glb.faces(indices)
+        return [{'primitives': [{'attributes': attributes, 'indices': faces, 'material': m}]} for m in materials]
 
-    gltf = {
-        'asset': {'version': '2.0'},
+    glb.write(FILE, {
         'extensionsUsed': ['KHR_lights_punctual', 'KHR_materials_ior', 'KHR_materials_emissive_strength'],
         'materials': [
             lambert('floor', [.7, .7, .7]), lambert('clay', [.8, .35, .2]), lambert('moss', [.25, .6, .3]),
@@ -66,13 +50,7 @@ def main():
             {'camera': 0, 'translation': [0, 3.1, 4.9], 'rotation': turned([1, 0, 0], -27)},
         ],
         'scenes': [{'nodes': [0, 1, 2, 4, 5, 6]}], 'scene': 0,
-        'bufferViews': views, 'accessors': accessors, 'buffers': [{'byteLength': len(binary)}],
-    }
-    text = json.dumps(gltf, separators=(',', ':')).encode()
-    text += b' ' * (-len(text) % 4)
-    with open(FILE, 'wb') as file:
-        file.write(struct.pack('<4sII', b'glTF', 2, 28 + len(text) + len(binary)))
-        file.write(struct.pack('<I4s', len(text), b'JSON') + text + struct.pack('<I4s', len(binary), b'BIN\0') + binary)
+    })
 
 
 if __name__ == '__main__':
