@@ -44,7 +44,7 @@ canvas:focus-visible + .curtain, .message:focus-visible {
 }
 
 .curtain, .poster { position: absolute; inset: 0; pointer-events: none; }
-.poster > img, .poster ::slotted(*) { width: 100%; height: 100%; object-fit: cover; }
+.poster img, .poster ::slotted(*) { width: 100%; height: 100%; object-fit: cover; }
 .poster.gone { opacity: 0; visibility: hidden; }
 .progress {
   position: absolute;

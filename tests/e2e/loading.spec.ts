@@ -6,7 +6,7 @@ import { expect, test } from "./support/test";
 import { addViewer, openFixture, samplesOf, waitForSamples } from "./support/viewer";
 
 const GREEN =
-  "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 4 3'><rect width='4' height='3' fill='lime'/></svg>";
+  "<svg xmlns='http://www.w3.org/2000/svg' width='40' height='30' viewBox='0 0 4 3'><rect width='4' height='3' fill='lime'/></svg>";
 
 /** Keeps back a scene file until it is released. */
 async function holdScene(page: Page): Promise<() => void> {
@@ -42,6 +42,18 @@ test("a poster is shown until there is a picture, and again once there is none",
   await expect(viewer.getByRole("progressbar")).toBeHidden();
   await viewer.evaluate((element: RtViewerElement) => element.removeAttribute("src"));
   await expect.poll(() => isGreen(viewer)).toBe(true);
+});
+
+test("a poster covers its viewer, whatever its own size", async ({ page }) => {
+  await holdScene(page);
+  await openFixture(page);
+  const viewer = await addViewer(page, { src: "spheres.json", poster: "green.svg" });
+  const sizeOf = async (locator: Locator) => {
+    const { width = 0, height = 0 } = (await locator.boundingBox()) ?? {};
+    return [Math.round(width), Math.round(height)];
+  };
+  await expect.poll(() => isGreen(viewer)).toBe(true);
+  expect(await sizeOf(viewer.locator("[part=poster]"))).toEqual(await sizeOf(viewer));
 });
 
 test("what is in the slot poster stands in for the attribute", async ({ page }) => {
