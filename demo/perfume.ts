@@ -16,7 +16,7 @@ export function perfumeScene(): Scene {
     transmission: 1,
     thickness: 1,
     attenuationColor: [0.96, 0.5, 0.16] as Rgb,
-    attenuationDistance: 0.45,
+    attenuationDistance: 0.6,
   };
   return scene({
     camera: { position: [1.75, 1.35, 4.7], target: [0, 0.68, 0], verticalFov: 22 },
@@ -39,7 +39,7 @@ export function perfumeScene(): Scene {
       label: { baseColor: [0.86, 0.83, 0.78], roughness: 0.6, clearcoat: 1, clearcoatRoughness: 0.05 },
       print: { baseColorTexture: "print", roughness: 0.6, clearcoat: 1, clearcoatRoughness: 0.05 },
       paper: { baseColor: [0.26, 0.38, 0.39], ior: 1 },
-      window: { emission: [3.6, 3.5, 3.3] },
+      window: { emission: [4.4, 4.3, 4.1] },
       strip: { emission: [5, 4.9, 4.8] },
       ceiling: { emission: [3, 2.9, 2.7] },
     },

@@ -28,7 +28,7 @@ const at = (shape: ReturnType<typeof revolve>, [x, z]: readonly [number, number]
 });
 
 document.querySelector("rt-viewer")!.scene = scene({
-  camera: { position: [0, 2.4, 4.8], target: [0, 0.46, 0], verticalFov: 27 },
+  camera: { position: [0, 2.4, 4.8], target: [0, 0.46, 0], verticalFov: 30 },
   materials: {
     velvet: { baseColor: [0.12, 0.008, 0.07], sheenColor: [0.95, 0.4, 0.7], sheenRoughness: 0.4 },
     paint: { baseColor: [0.03, 0.16, 0.4], metallic: 0.8, roughness: 0.45, clearcoat: 1 },
