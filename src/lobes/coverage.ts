@@ -1,10 +1,16 @@
 import type { ResolvedMaterial } from "../scene/schema";
+import { alphaOf } from "./fresnel";
 import type { MaterialPart } from "./lobe";
-import { isClearWall } from "./transmission";
+import { isSolid, isTransmissive } from "./transmission";
 
 /** Whether rays may pass a surface. */
 export function hasHoles(material: ResolvedMaterial): boolean {
   return hasAlpha(material) || isClearWall(material);
+}
+
+/** Is a thin wall without microfacets, which light passes straight. */
+function isClearWall(material: ResolvedMaterial): boolean {
+  return isTransmissive(material) && !isSolid(material) && alphaOf(material) === 0;
 }
 
 function hasAlpha({ alphaMode, alphaCutoff }: ResolvedMaterial): boolean {

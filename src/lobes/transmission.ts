@@ -1,7 +1,6 @@
 // Light that enters a dielectric and passes: through a thin wall, or into a solid. What the lobes of both have in common.
 
 import type { ResolvedMaterial } from "../scene/schema";
-import { alphaOf } from "./fresnel";
 import type { MaterialFeatures, MaterialPart } from "./lobe";
 
 /** Lets light through. */
@@ -12,11 +11,6 @@ export function isTransmissive({ transmission, metallic, metallicRoughnessTextur
 /** Bounds a solid that light is refracted into. */
 export function isSolid(material: ResolvedMaterial): boolean {
   return isTransmissive(material) && material.thickness > 0;
-}
-
-/** Is a thin wall without microfacets, which light passes straight. */
-export function isClearWall(material: ResolvedMaterial): boolean {
-  return isTransmissive(material) && material.thickness === 0 && alphaOf(material) === 0;
 }
 
 // Differences of the index of refraction per unit of `dispersion` and of ior − 1: a twentieth is 1/V, half of it to either side.
