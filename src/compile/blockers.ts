@@ -1,4 +1,5 @@
 import type { Ball, Light } from "../lights/light";
+import { isDistant } from "../lights/lights";
 import { scattersBelow } from "../lobes/lobes";
 import { dot, scale, subtract } from "../math/vec3";
 import type { Vec3 } from "../scene/schema";
@@ -8,7 +9,8 @@ import type { Primitive } from "./primitives";
 
 /**
  * Tells which primitives can come between a shaded point and a light. A flat one cannot if everything that light sampling
- * connects lies on one side of it: the walls of a room, a ground plane.
+ * connects lies on one side of it: the walls of a room, a ground plane. Towards a light that is infinitely far, it must not be looked
+ * through from that side either.
  *
  * Only infinite ones depend on where the camera is. What else it takes is found out once per primitive, so that a moving camera
  * costs a comparison per plane.
@@ -18,6 +20,8 @@ export class Blockers {
   /** Where light comes from: the shapes that are sampled, and what holds lights without one. */
   readonly #lights: readonly Body[];
   readonly #balls: readonly Ball[];
+  /** What holds the directions to lights that are infinitely far, on the unit sphere. */
+  readonly #sky: readonly Ball[];
   readonly #isBounded: boolean;
   /** By primitive: whether a bounded one can block, or the range of the lights' distances in front of an infinite one. */
   readonly #bounded = new Map<number, boolean>();
@@ -28,11 +32,15 @@ export class Blockers {
     this.#isBounded = primitives.every(({ shape }) => hullOf(shape) !== undefined);
     const sampled = new Set<number>();
     const balls: Ball[] = [];
-    for (const { primitive, bound } of lights) {
-      if (primitive === undefined) balls.push(bound);
+    const sky: Ball[] = [];
+    for (const light of lights) {
+      const { primitive, bound } = light;
+      if (isDistant(light)) sky.push(bound);
+      else if (primitive === undefined) balls.push(bound);
       else sampled.add(primitive);
     }
     this.#balls = balls;
+    this.#sky = sky;
     this.#lights = [...balls, ...Array.from(sampled, (id) => primitives[id]!.shape)];
   }
 
@@ -52,10 +60,12 @@ export class Blockers {
       if (!Number.isFinite(reach) || (material !== "black" && scattersBelow(material))) return true;
       const range = remembered(this.#ranges, id, () => rangeOf(this.#lights, point, normal));
       const side = dot(subtract(camera, point), normal);
-      return !isOnOneSide({ least: Math.min(range.least, side - reach), most: Math.max(range.most, side + reach) });
+      const bodies = { least: Math.min(range.least, side - reach), most: Math.max(range.most, side + reach) };
+      return !isOnOneSide(bodies, rangeOf(this.#sky, ORIGIN, normal));
     }
     return remembered(this.#bounded, id, () => {
-      return !this.#isBounded || !isOnOneSide(rangeOf(this.#others(id), point, normal));
+      if (!this.#isBounded) return true;
+      return !isOnOneSide(rangeOf(this.#others(id), point, normal), rangeOf(this.#sky, ORIGIN, normal));
     });
   }
 
@@ -88,10 +98,16 @@ function reachOf(body: Body, direction: Vec3, from: Vec3): number {
 /** Rounding of the positions a user writes may put a touching shape this far, in proportion, beyond a plane. */
 const TOUCHING = 1e-12;
 
-function isOnOneSide({ least, most }: Range): boolean {
+/** Directions less steep than this, a few ULP, may be rounded to the other side of a plane. */
+const SLANT = 1e-6;
+
+const ORIGIN: Vec3 = [0, 0, 0];
+
+/** @param sky - the range of directions to lights that are infinitely far. */
+function isOnOneSide({ least, most }: Range, sky: Range): boolean {
   if (least > most) return true; // of nothing
   const tolerance = TOUCHING * Math.max(Math.abs(least), Math.abs(most));
-  return least >= -tolerance || most <= tolerance;
+  return (least >= -tolerance && sky.least > SLANT) || (most <= tolerance && sky.most < -SLANT);
 }
 
 function remembered<V>(known: Map<number, V>, id: number, find: () => V): V {

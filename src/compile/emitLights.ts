@@ -2,7 +2,7 @@
 // Writes the part of the shader module `scene` that chooses the light to sample, and a point on it.
 
 import type { Light } from "../lights/light";
-import { samplerOf, tagOf } from "../lights/lights";
+import { isDistant, samplerOf, tagOf } from "../lights/lights";
 import type { Features } from "./features";
 import type { Values } from "./values";
 
@@ -26,9 +26,21 @@ export function hasManyLights(lights: readonly Light[]): boolean {
   return lights.length > MAX_UNROLLED;
 }
 
+/** Where those of the lights are that rays find when they escape. */
+export function emitSkyLights(lights: readonly Light[], { SKY_DISKS }: Features): string {
+  if (!SKY_DISKS) return "";
+  return `const FIRST_SKY_LIGHT = ${firstDistant(lights)}u;\nconst LIGHT_COUNT = ${lights.length}u;\n`;
+}
+
+/** All from here on are infinitely far. */
+function firstDistant(lights: readonly Light[]): number {
+  return lights.filter((light) => !isDistant(light)).length;
+}
+
 /**
  * `chooseLight`: in proportion to the light that each one is expected to add to the surface, or evenly for the baseline
- * estimator; and `lightBoundOf`, which knows the balls around emissive primitives.
+ * estimator; `lightBoundOf`, which knows the balls around emissive primitives; and, where some are infinitely far, `lightWeight`, which
+ * knows how much they are expected to add.
  */
 export function emitLightChoice(lights: readonly Light[], features: Features, values: Values): string {
   const signature = "fn chooseLight(surface: Surface, u: vec2f) -> LightChoice";
@@ -42,18 +54,21 @@ export function emitLightChoice(lights: readonly Light[], features: Features, va
 }
 `;
   }
-  if (hasManyLights(lights)) return emitLightLoop(lights.length);
+  if (hasManyLights(lights)) return emitLightLoop(lights.length, firstDistant(lights));
   // The faces of a box share a bound, and with it what is expected of them.
   const groups = [...new Set(lights.map(({ bound }) => bound))];
   const bounds = groups.map(({ center, radius }) => `vec4f(${values.vec3(center)}, ${values.scalar(radius)})`);
   const shares = groups.map((group, k) => {
-    const { front } = lights.find(({ bound }) => bound === group)!;
+    const light = lights.find(({ bound }) => bound === group)!;
+    const { front } = light;
+    if (isDistant(light)) return `  let share${k} = skyLightShare(surface, ${bounds[k]});\n`;
     const call = front
       ? `flatLightShare(surface, ${bounds[k]}, ${values.vec3(front)})`
       : `lightShare(surface, ${bounds[k]})`;
     return `  let share${k} = ${call};\n`;
   });
-  const weights = lights.map(({ strength, bound }) => `${values.scalar(strength)} * share${groups.indexOf(bound)}`);
+  const strengths = lights.map(({ strength }) => values.scalar(strength));
+  const weights = lights.map(({ bound }, i) => `${strengths[i]} * share${groups.indexOf(bound)}`);
   const sums = weights.map((weight, i) => `  let sum${i} = ${i === 0 ? "" : `sum${i - 1} + `}${weight};\n`);
   const steps = lights.map((_, i) =>
     i === 0 ? "" : `  chosen = select(chosen, vec3f(${i}.0, sum${i - 1}, sum${i}), x >= sum${i - 1});\n`,
@@ -61,6 +76,11 @@ export function emitLightChoice(lights: readonly Light[], features: Features, va
   const lookups = groups.map((group, k) => {
     const { primitive } = lights.find(({ bound }) => bound === group)!;
     return primitive === undefined ? "" : `  bound = select(bound, ${bounds[k]}, id == ${primitive}u);\n`;
+  });
+  const skyWeights = lights.map((light, i) => {
+    if (!isDistant(light)) return "";
+    const share = `skyLightShare(surface, ${bounds[groups.indexOf(light.bound)]})`;
+    return `  if (index == ${i}u) { return ${strengths[i]} * ${share}; }\n`;
   });
   return `${signature} {
 ${shares.join("")}${sums.join("")}  let total = sum${lights.length - 1};
@@ -76,13 +96,17 @@ fn lightBoundOf(id: u32) -> vec4f {
   var bound = vec4f(0.0);
 ${lookups.join("")}  return bound;
 }
-`;
+${features.SKY_DISKS ? `\nfn lightWeight(index: u32, surface: Surface) -> f32 {\n${skyWeights.join("")}  return 0.0;\n}\n` : ""}`;
 }
 
-function emitLightLoop(count: number): string {
+function emitLightLoop(count: number, firstDistant: number): string {
+  const distant =
+    firstDistant < count
+      ? `  if (index >= ${firstDistant}u) { return scene.lightFronts[index].w * skyLightShare(surface, scene.lightBounds[index]); }\n`
+      : "";
   return `
 fn lightWeight(index: u32, surface: Surface) -> f32 {
-  let bound = scene.lightBounds[index];
+${distant}  let bound = scene.lightBounds[index];
   let front = scene.lightFronts[index];
   let isFlat = any(front.xyz != vec3f(0.0));
   return front.w * select(lightShare(surface, bound), flatLightShare(surface, bound, front.xyz), isFlat);

@@ -5,7 +5,7 @@
 import type { Light } from "../lights/light";
 import type { Geometry } from "../tree/geometry";
 import { emitStruct, type StructFields, type StructLayout } from "./defineStruct";
-import { emitLightChoice, emitLightSamplers } from "./emitLights";
+import { emitLightChoice, emitLightSamplers, emitSkyLights } from "./emitLights";
 import { emitLobes } from "./emitLobes";
 import { emitRowStruct } from "./emitLoops";
 import { emitShapes } from "./emitShapes";
@@ -47,7 +47,7 @@ export function emitScene(
   const { members, isStored } = packed();
 
   return `
-import package::lights::light::{Light, LightChoice, LightSample, flatLightShare, lightShare};
+import package::lights::light::{Light, LightChoice, LightSample, flatLightShare, lightShare, skyLightShare};
 import package::lobes::lobe::{BsdfSample, BsdfValue, aboveOnly, directions, exactDirections, onSides, uniformSample, weighed};
 import package::minMax::{greater, lesser};
 import package::coverage::{betweenPart, entersPart, nearerPart};
@@ -71,7 +71,7 @@ fn environment() -> vec3f {
 }
 ${tables.ofTextures ? `${emitFactors(tables.ofTextures)}${TEXTURE_LOOKUPS}` : ""}${emitVertexLayout(features, geometry)}
 ${emitLookups(tables, values)}
-${emitLobes(features, rareTextures(primitives))}${emitLightSamplers(lights, features)}
+${emitLobes(features, rareTextures(primitives))}${emitLightSamplers(lights, features)}${emitSkyLights(lights, features)}
 ${lightChoice}`;
 }
 

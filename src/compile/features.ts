@@ -1,4 +1,5 @@
 import type { Light } from "../lights/light";
+import { isDistant } from "../lights/lights";
 import { absorbs } from "../lobes/absorption";
 import { hasHoles } from "../lobes/coverage";
 import { LOBE_WORDS, lobeFeatures } from "../lobes/lobes";
@@ -90,6 +91,8 @@ export function deriveFeatures(
     MANY_LIGHTS: lights.length > 1 && settings.estimator === "path",
     // Of those, some shine to one side only.
     FLAT_LIGHTS: lights.some(({ front }) => front !== undefined),
+    // Rays that escape may find lights.
+    SKY_DISKS: lights.some((light) => isDistant(light) && light.size > 0),
     ENVIRONMENT: hasEnvironment,
     LENS: hasLens,
     SOBOL: settings.sampler === "sobol",

@@ -1,5 +1,5 @@
 import type { Light } from "../lights/light";
-import { bothSides, lightsOf } from "../lights/lights";
+import { bothSides, isDistant, lightsOf } from "../lights/lights";
 import { hasCoat } from "../lobes/clearcoat";
 import { hasHoles } from "../lobes/coverage";
 import { emitsTwice } from "../lobes/sides";
@@ -9,7 +9,7 @@ import { isEmissive, type Primitive } from "./primitives";
 
 /**
  * Everything that emits and can be sampled, with strengths in proportion to the strongest's: first what lies on primitives, in
- * their order, then lights without a body.
+ * their order, then lights without a body, those that are infinitely far last.
  */
 export function lightsOfScene(scene: ResolvedScene, primitives: readonly Primitive[]): Light[] {
   const lights: Light[] = [];
@@ -20,7 +20,11 @@ export function lightsOfScene(scene: ResolvedScene, primitives: readonly Primiti
     const sides = material !== "black" && emitsTwice(material) ? front.flatMap(bothSides) : front;
     for (const light of sides) lights.push(light);
   }
-  for (const each of scene.lights) for (const light of lightsOf(each, scene.camera.target)) lights.push(light);
+  const distant: Light[] = [];
+  for (const each of scene.lights) {
+    for (const light of lightsOf(each, scene.camera.target)) (isDistant(light) ? distant : lights).push(light);
+  }
+  for (const light of distant) lights.push(light);
   let strongest = 0;
   for (const { strength } of lights) strongest = Math.max(strongest, strength);
   if (strongest === 0) return lights;

@@ -14,22 +14,25 @@ export type Light = {
    * geometry's table of those that emit.
    */
   readonly position: Vec3;
-  /** Radius of a sphere, area of a quad, triangle or mesh; 0 for a point. */
+  /** Radius of a sphere, area of a quad, triangle or mesh; 0 for a point; 1 − cos of the angular radius of what is infinitely far. */
   readonly size: number;
   /** Of a quad or triangle; what another kind's shader module makes of them. */
   readonly edge1: Vec3;
   readonly edge2: Vec3;
   /** Of the side that a flat light shines to, unit; zero of other kinds, or what theirs make of it. */
   readonly normal: Vec3;
-  /** Radiance; intensity of what has no area. */
+  /** Radiance; of what has no area intensity, or irradiance if it is infinitely far. */
   readonly radiance: Rgb;
   /** Index of the primitive that carries the emission; undefined where no ray can hit the light. */
   readonly primitive: number | undefined;
-  /** Intensity along the normal, or in all directions: what the choice of a light goes by. */
+  /** Intensity along the normal, or in all directions, or irradiance: what the choice of a light goes by. */
   readonly strength: number;
   /** The side that it shines to, unit; undefined where light leaves in all directions, as from a box's faces together. */
   readonly front: Vec3 | undefined;
-  /** Around all lights of the primitive, which share this object; their strengths are in proportion to their sizes. */
+  /**
+   * Around all lights of the primitive, which share this object; their strengths are in proportion to their sizes. Of a light that is
+   * infinitely far: around the directions to it, on the unit sphere.
+   */
   readonly bound: Ball;
 };
 
@@ -91,6 +94,11 @@ export type LightSampler = {
 /** A kind of light that `sampler` samples: surfaces that emit, or lights of a scene's list. */
 export type LightKind = {
   readonly sampler: LightSampler;
+  /**
+   * Whether it is infinitely far: it shines from all points of its `bound` on the unit sphere, and rays that escape find it if its size is
+   * above 0.
+   */
+  readonly isDistant?: true;
   /** The same light shining from its other side, of a kind that shines from one. */
   readonly turn?: (light: Light) => Light;
 };

@@ -12,17 +12,18 @@ struct Light {
   // Centre of a sphere, corner of a quad or triangle, position of a point; of a mesh, where its triangles stand in
   // `emissiveTriangles` and how many there are.
   position: vec3f,
-  // Radius of a sphere, area of a quad, triangle or mesh.
+  // Radius of a sphere, area of a quad, triangle or mesh; of what is infinitely far, 1 − cos of its angular radius.
   size: f32,
   edge1: vec3f,
   // By which function it is sampled: see lights.ts.
   kind: u32,
   edge2: vec3f,
-  // What a ray that hits it names; NONE for a point and a mesh.
+  // What a ray that hits it names; NONE for a mesh and what no ray hits.
   id: u32,
-  // Radiance; intensity of a point.
+  // Radiance; intensity of a point, irradiance of one that is infinitely far.
   radiance: vec3f,
-  // Of the side a quad or triangle shines to, unit: from its edges in f32 it would take products of four lengths.
+  // Of the side a quad or triangle shines to, unit: from its edges in f32 it would take products of four lengths. Towards what is
+  // infinitely far.
   normal: vec3f,
 }
 
@@ -89,6 +90,12 @@ fn flatLightShare(surface: Surface, bound: vec4f, front: vec3f) -> f32 {
   let height = dot(front, toSurface);
   let facing = (height + bound.w) / (length(toSurface) + bound.w);
   return select(0.0, lightShare(surface, bound) * facing, height > 0.0);
+}
+
+// The same for a light of unit irradiance that is infinitely far; `bound` holds the directions to it.
+@if(MANY_LIGHTS)
+fn skyLightShare(surface: Surface, bound: vec4f) -> f32 {
+  return bsdfExpect(surface.bsdf, surface.wo, toLocal(surface.frame, bound.xyz), bound.w);
 }
 
 // The same for the light on a primitive.

@@ -2,6 +2,7 @@
 
 import type { ResolvedLight, ResolvedObject, Rgb, Vec3 } from "../scene/schema";
 import { quad, triangle } from "./area";
+import { directional } from "./directional";
 import type { Light, LightKind, LightSampler, SceneLight } from "./light";
 import { mesh } from "./mesh";
 import { point } from "./point";
@@ -10,7 +11,7 @@ import { sphere } from "./sphere";
 type InScenes = { readonly [K in ResolvedLight["type"]]: SceneLight<ResolvedLight & { type: K }> };
 
 /** In the order in which the shader numbers them. */
-export const LIGHT_KINDS = { sphere, quad, triangle, point, mesh } as const satisfies InScenes &
+export const LIGHT_KINDS = { sphere, quad, triangle, point, mesh, directional } as const satisfies InScenes &
   Readonly<Record<string, LightKind>>;
 
 /** Everything there is to know of a light's kind. TypeScript does not correlate a union with its table. */
@@ -40,6 +41,11 @@ export function bothSides(light: Light): Light[] {
   const front = { ...light, front: undefined };
   const back = kindNamed(light.kind).turn?.(front);
   return back ? [front, back] : [front];
+}
+
+/** See `LightKind`. */
+export function isDistant({ kind }: Light): boolean {
+  return kindNamed(kind).isDistant ?? false;
 }
 
 /** How a light is sampled. */

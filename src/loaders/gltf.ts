@@ -27,12 +27,12 @@ export type { DecodedImage, DecodeImage, LoadedScene, LoadOptions } from "./load
 /**
  * Makes a scene of a glTF 2.0 file, `.glb` or `.gltf`.
  *
- * The scene has the meshes in their places, surfaces with their textures, the point lights and the first camera. A file
+ * The scene has the meshes in their places, surfaces with their textures, the point and directional lights and the first camera. A file
  * without a camera gets one that has everything in view; one that nothing lights enough to be seen gets a ground, a lamp and a
  * dim sky beside what it has. It counts as lit if its lights and what emits in it give a quarter of what the camera sees at least
  * 0.11 W·m⁻², five stops less than that lamp, or if half of what the camera sees emits as much as white would reflect then. So a
  * small or dim emitter does not leave a model in the dark. Shadows are not reckoned with.
- * Light's units are taken one to one: 1 cd is 1 W·sr⁻¹, and an emission of 1 is 1 W·sr⁻¹·m⁻².
+ * Light's units are taken one to one: 1 cd is 1 W·sr⁻¹, 1 lx is 1 W·m⁻², and an emission of 1 is 1 W·sr⁻¹·m⁻².
  *
  * @param bytes - of the file; not kept, not changed.
  * @throws {LoadError} if the file is damaged or truncated, needs something that is not supported, or has more than 8 million

@@ -1,6 +1,6 @@
 // Whether a file brings enough light of its own.
 
-import { dot, length, subtract } from "../math/vec3";
+import { dot, subtract } from "../math/vec3";
 import { type Mesh, meshesAmong } from "../scene/meshes";
 import type { Light, Material, Rgb, Scene, Texture, Vec3 } from "../scene/schema";
 import { emissionOf } from "../scene/shown";
@@ -8,6 +8,7 @@ import { uvRows, wholeReference } from "../scene/textureReference";
 import { extentOf, twiceAreaAt } from "./bounds";
 import { firstSight, pointOf, type SeenPoint, type Uv } from "./firstSight";
 import { IRRADIANCE } from "./frameModel";
+import { lightAt } from "./lightAt";
 
 /** W·m⁻²: five stops less than the table gives. A white surface shows as 36 of 255 with it. */
 const ENOUGH = IRRADIANCE / 32;
@@ -53,11 +54,10 @@ function irradianceAt({ point, normal }: SeenPoint, lights: readonly Light[], em
   const addLight = (color: Rgb, factor: number) => {
     for (let channel = 0; channel < 3; channel++) sum[channel]! += color[channel]! * factor;
   };
-  for (const { position, power } of lights) {
-    const way = subtract(position, point);
-    const distance = length(way);
-    const cosine = dot(way, normal) / distance;
-    if (cosine > 0) addLight(power, cosine / (4 * Math.PI * distance ** 2));
+  for (const light of lights) {
+    const { irradiance, way } = lightAt(light, point);
+    const cosine = dot(way, normal);
+    if (cosine > 0) addLight(irradiance, cosine);
   }
   for (const { point: from, normal: front, area, radiance, isDoubleSided } of emitters) {
     const way = subtract(from, point);

@@ -1,34 +1,66 @@
 import type { FolderApi } from "tweakpane";
-import type { ResolvedLight } from "../scene/schema";
+import type { ResolvedLight, Rgb, Vec3 } from "../scene/schema";
 import { fromHex, hueOf, strengthOf, times, withStrength } from "./colors";
 import { scalesFor } from "./scales";
 
 /** Adds knobs for a light. */
 export function addLightKnobs(folder: FolderApi, light: ResolvedLight, onChange: (light: ResolvedLight) => void): void {
-  let now = light;
-  const [x, y, z] = light.position;
-  const shown = { color: hueOf(light.power), power: strengthOf(light.power), position: { x, y, z }, radius: 0 };
-  const change = (next: ResolvedLight) => {
-    now = next;
-    onChange(now);
+  let now = light as Fields;
+  const change = (fields: Fields) => {
+    now = { ...now, ...fields };
+    onChange(now as ResolvedLight);
   };
 
+  const strength = STRENGTHS.find(({ field }) => now[field] !== undefined)!;
+  const light0 = now[strength.field]!;
+  const shown = { color: hueOf(light0), strength: strengthOf(light0) };
   folder
     .addBinding(shown, "color", { label: "colour", picker: "inline" })
-    .on("change", ({ value }) => change({ ...now, power: times(fromHex(value), shown.power) }));
+    .on("change", ({ value }) => change({ [strength.field]: times(fromHex(value), shown.strength) }));
   folder
-    .addBinding(shown, "power", { label: "power (W)", min: 0, ...scalesFor(shown.power) })
-    .on("change", ({ value }) => change({ ...now, power: withStrength(now.power, value, shown.color) }));
-  if ("radius" in light) {
-    shown.radius = light.radius;
+    .addBinding(shown, "strength", { label: strength.label, min: 0, ...scalesFor(shown.strength) })
+    .on("change", ({ value }) => {
+      change({ [strength.field]: withStrength(now[strength.field]!, value, shown.color) });
+    });
+
+  const { radius, angularDiameter } = now;
+  if (radius !== undefined) {
     folder
-      .addBinding(shown, "radius", { min: LEAST_RADIUS * light.radius, ...scalesFor(light.radius) })
-      .on("change", ({ value }) => "radius" in now && change({ ...now, radius: value }));
+      .addBinding({ radius }, "radius", { min: LEAST_RADIUS * radius, ...scalesFor(radius) })
+      .on("change", ({ value }) => change({ radius: value }));
   }
-  folder
-    .addBinding(shown, "position", scalesFor(1))
-    .on("change", ({ value }) => change({ ...now, position: [value.x, value.y, value.z] }));
+  if (angularDiameter !== undefined) {
+    folder
+      .addBinding({ angularDiameter }, "angularDiameter", { label: "diameter (°)", min: 0, max: 30 })
+      .on("change", ({ value }) => change({ angularDiameter: value }));
+  }
+  for (const field of ["position", "direction"] as const) {
+    const vector = now[field];
+    if (vector === undefined) continue;
+    const [x, y, z] = vector;
+    folder.addBinding({ [field]: { x, y, z } }, field, scalesFor(1)).on("change", ({ value }) => {
+      const { x, y, z } = value as { x: number; y: number; z: number };
+      // No light has the direction 0, which dragging passes.
+      if (field === "position" || Math.hypot(x, y, z) > 0) change({ [field]: [x, y, z] });
+    });
+  }
 }
+
+/** What one light or another has. */
+type Fields = {
+  readonly power?: Rgb;
+  readonly irradiance?: Rgb;
+  readonly position?: Vec3;
+  readonly direction?: Vec3;
+  readonly radius?: number;
+  readonly angularDiameter?: number;
+};
+
+/** How strong a light is: it has one of these. */
+const STRENGTHS = [
+  { field: "power", label: "power (W)" },
+  { field: "irradiance", label: "irradiance (W/m²)" },
+] as const;
 
 // Of a light's radius as it was: it needs one.
 const LEAST_RADIUS = 1e-3;

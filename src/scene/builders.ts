@@ -35,6 +35,12 @@ export const sphereLight = (fields: Omit<LightOf<"sphere">, "type">): LightOf<"s
   ...fields,
 });
 
+/** A sun: light from infinitely far away, in W/m² on a surface that faces it. `angularDiameter: 0.53` gives it the sun's soft shadows. */
+export const directionalLight = (fields: Omit<LightOf<"directional">, "type">): LightOf<"directional"> => ({
+  type: "directional",
+  ...fields,
+});
+
 /** A material, to be put under its name in `materials`. `material()` is matte white. */
 export const material = (fields: Material = {}): Material => fields;
 

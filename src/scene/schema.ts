@@ -237,6 +237,20 @@ export const LightSchema = byType({
     /** In watts, `[r, g, b]`. */
     power: light,
   }),
+
+  /** A sun: parallel light from infinitely far away. */
+  directional: strictObject({
+    type: v.literal("directional"),
+    /** Where its light goes, `[x, y, z]` of any length. */
+    direction,
+    /** On a surface that faces it, in W/m², `[r, g, b]`. */
+    irradiance: light,
+    /**
+     * Of its disk in the sky, in degrees; 0.53 of the sun. It softens the shadows, and never changes the irradiance. Rays that leave the
+     * scene find the disk: the camera and mirrors show it. 0, or less than 0.001, is a point, which nothing shows.
+     */
+    angularDiameter: v.optional(numberThat("an angle from 0 to less than 180 degrees", { min: 0, below: 180 }), 0),
+  }),
 });
 
 /** What is behind everything. */

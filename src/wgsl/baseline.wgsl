@@ -9,6 +9,7 @@ import package::directLight::{DirectLight, directLight, unhidden};
 import package::dispersion::{drawColor, disperse};
 import package::frameUniforms::{countRay, frame};
 import package::lens::lensRay;
+import package::lights::directional::skyRadiance;
 import package::lights::light::{lightPick, sampleLight};
 import package::medium::{absorbed, crossSide, enterScene, meetSide};
 import package::sampler::{Sampler, point};
@@ -32,6 +33,7 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     if (hit.id == NONE) {
       @if(ABSORPTION) beta *= absorbed(hit.t);
       @if(ENVIRONMENT) L += beta * environment();
+      @if(SKY_DISKS) L += select(beta * skyRadiance(ray.d), vec3f(0.0), counted);
       break;
     }
     let surface = surfaceAt(ray, hit);

@@ -12,11 +12,12 @@ import package::emitters::inEmitterWindow;
 import package::dispersion::{drawColor, disperse};
 import package::frameUniforms::{countRay, frame};
 import package::lens::lensRay;
+import package::lights::directional::skyLightPdf;
 import package::lights::light::{lightPick, lightShareOf, sampleLight};
 import package::medium::{absorbed, crossSide, enterScene, meetSide};
 import package::minMax::{greater, lesser};
 import package::sampler::{Sampler, independent, point};
-import package::scene::{bsdfEval, bsdfSample, closestHit, environment};
+import package::scene::{FIRST_SKY_LIGHT, LIGHT_COUNT, bsdfEval, bsdfSample, closestHit, environment, lightAt, lightWeight};
 import package::surface::{Surface, leave, leaves, surfaceAt};
 import package::surfacePoint::primitiveOf;
 
@@ -45,6 +46,15 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     if (hit.id == NONE) {
       @if(ABSORPTION) beta *= absorbed(hit.t);
       @if(ENVIRONMENT) L += beta * environment();
+      @if(SKY_DISKS) {
+        for (var i = FIRST_SKY_LIGHT; i < LIGHT_COUNT; i++) {
+          let light = lightAt(i);
+          var lightPdf = lightSampleCount() * skyLightPdf(light, ray.d);
+          if (lightPdf == 0.0) { continue; }
+          @if(MANY_LIGHTS) lightPdf *= lightWeight(i, last) / greater(totalWeight, NEAR2);
+          L += beta * light.radiance * select(powerHeuristic(pdf, lightPdf), 1.0, pdf <= 0.0);
+        }
+      }
       break;
     }
     let surface = surfaceAt(ray, hit);

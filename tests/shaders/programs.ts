@@ -101,6 +101,12 @@ export const LIGHTS: Readonly<Record<string, Light[]>> = {
   "no light": [],
   "a point light": [{ type: "point", position: [0, 3, 0], power: [1, 1, 1] }],
   "a sphere light": [{ type: "sphere", position: [0, 3, 0], radius: 0.1, power: [1, 1, 1] }],
+  "a point of a sun": [{ type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1] }],
+  "a sun": [{ type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1], angularDiameter: 0.53 }],
+  "two suns": [
+    { type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1], angularDiameter: 0.53 },
+    { type: "directional", direction: [1, -1, 0], irradiance: [1, 1, 1] },
+  ],
   "a dark sphere light": [{ type: "sphere", position: [0, 3, 0], radius: 0.1, power: [0, 0, 0] }],
   "lights of both kinds": [
     { type: "point", position: [0, 3, 0], power: [1, 1, 1] },

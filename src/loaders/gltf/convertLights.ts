@@ -1,15 +1,16 @@
-import { length, scale, subtract } from "../../math/vec3";
-import { pointLight } from "../../scene/builders";
-import type { Light } from "../../scene/schema";
+import { add, cross, length, normalize, scale, subtract } from "../../math/vec3";
+import { directionalLight, pointLight } from "../../scene/builders";
+import type { Light, Vec3 } from "../../scene/schema";
 import type { Bounds } from "../bounds";
+import { lightAt } from "../lightAt";
 import type { Warnings } from "../warnings";
 import { placeOf } from "./materials";
-import { type PlacedNode, positionOf } from "./nodes";
+import { axisOf, type PlacedNode, positionOf } from "./nodes";
 import type { GltfJson } from "./schema";
 
 /**
- * The point lights. Photometric units are taken one to one, as other viewers do: 1 cd is 1 W·sr⁻¹. So lights and emissive
- * surfaces keep their proportions.
+ * The lights. Photometric units are taken one to one, as other viewers do: 1 cd is 1 W·sr⁻¹ and 1 lx is 1 W·m⁻². So lights and
+ * emissive surfaces keep their proportions.
  */
 export function convertLights(json: GltfJson, nodes: readonly PlacedNode[], warnings: Warnings): Light[] {
   const lights: Light[] = [];
@@ -24,6 +25,12 @@ export function convertLights(json: GltfJson, nodes: readonly PlacedNode[], warn
       range,
     } = json.extensions!.KHR_lights_punctual!.lights[index]!;
     const place = placeOf("lights", index, name);
+    if (type === "directional") {
+      const direction = backwardOf(world);
+      if (direction) lights.push(directionalLight({ direction, irradiance: scale(color, intensity) }));
+      else warnings.add("A light in a space without size has no direction, and is left out", place);
+      continue;
+    }
     if (type !== "point") {
       warnings.add(`Lights of type ${type} are not supported, and left out`, place);
       continue;
@@ -34,19 +41,32 @@ export function convertLights(json: GltfJson, nodes: readonly PlacedNode[], warn
   return lights;
 }
 
+/** Where the −z of a space points in the world, unit; undefined in one that is flattened to a line or a point. */
+function backwardOf(world: Float64Array): Vec3 | undefined {
+  const [x, y, z] = [axisOf(world, 0), axisOf(world, 1), axisOf(world, 2)];
+  const axis = length(z) > 0 ? z : cross(x, y);
+  return length(axis) > 0 ? scale(normalize(axis), -1) : undefined;
+}
+
 /** A white surface that gets more irradiance, W·m⁻², shows as nothing but white at an exposure of 0. */
 const BLINDING_IRRADIANCE = 100;
 /** With which it shows as white and no more. */
 const GOOD_IRRADIANCE = 4;
 
+/** The middle of a model, or, of a light that is nearer to it, the point as far from the light as the model's edge is from the middle. */
+function nearest({ center, radius }: Bounds, light: Light): Vec3 {
+  if (!("position" in light)) return center;
+  const way = subtract(center, light.position);
+  const distance = length(way);
+  if (distance >= radius) return center;
+  return add(light.position, distance > 0 ? scale(way, radius / distance) : [radius, 0, 0]);
+}
+
 /** Exporters that count lumens write numbers 683 times as large as those that count watts. That can't be told from the file. */
 export function warnOfBrightness(lights: readonly Light[], bounds: Bounds, warnings: Warnings): void {
   if (bounds.isEmpty) return;
   let irradiance = 0;
-  for (const { position, power } of lights) {
-    const distance = Math.max(bounds.radius, length(subtract(position, bounds.center)));
-    irradiance += Math.max(...power) / (4 * Math.PI * distance ** 2);
-  }
+  for (const light of lights) irradiance += Math.max(...lightAt(light, nearest(bounds, light)).irradiance);
   if (irradiance <= BLINDING_IRRADIANCE) return;
   const stops = Math.round(Math.log2(irradiance / GOOD_IRRADIANCE));
   warnings.add(`The lights are about ${stops} stops too bright for an exposure of 0; try one of -${stops}`);

@@ -3,7 +3,16 @@ import { Blockers } from "../../../src/compile/blockers";
 import { lightsOfScene } from "../../../src/compile/lights";
 import { primitivesOf } from "../../../src/compile/primitives";
 import { subtract } from "../../../src/math/vec3";
-import { box, plane, pointLight, quad, sphere, sphereLight, triangle } from "../../../src/scene/builders";
+import {
+  box,
+  directionalLight,
+  plane,
+  pointLight,
+  quad,
+  sphere,
+  sphereLight,
+  triangle,
+} from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
 import type { Light, SceneObject, Vec3 } from "../../../src/scene/schema";
 import { sceneOf } from "../../support/compiled";
@@ -84,6 +93,26 @@ describe("an infinite plane", () => {
 
   test("blocks a light that reaches through it", () => {
     expect(blockersOf([ground], [sphereLight({ position: [0, 0.2, 0], radius: 0.5, power: [1, 1, 1] })])).toContain(0);
+  });
+});
+
+describe("towards a sun, a flat shape with everything on one side", () => {
+  const from = (x: number, y: number, z: number, angularDiameter = 0) =>
+    directionalLight({ direction: [-x, -y, -z], irradiance: [1, 1, 1], angularDiameter });
+  const ball = sphere({ center: [0, 0.5, 0], radius: 0.5, material });
+
+  test.each([
+    ["never blocks where the sun is on that side", from(1, 1, 0), false],
+    ["blocks where it is on the other", from(1, -1, 0), true],
+    ["may block where it is in its plane", from(1, 0, 0), true],
+    ["may block where a part of the disk is on the other side", from(1, 0.1, 0, 15), true],
+    ["never blocks where all of the disk is on that side", from(1, 0.1, 0, 10), false],
+  ])("%s", (_, sun, blocks) => {
+    expect(blockersOf([floor, ball], [sun]).includes(0)).toBe(blocks);
+    expect(blockersOf([ground, ball], [sun]).includes(0)).toBe(blocks);
+    // Whatever side its front is on, and with another sun on the right side.
+    const turned = quad({ corner: [-1, 0, 1], edge1: [0, 0, -2], edge2: [2, 0, 0], material });
+    expect(blockersOf([turned, ball], [from(0, 1, 0), sun]).includes(0)).toBe(blocks);
   });
 });
 

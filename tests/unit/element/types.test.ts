@@ -12,7 +12,9 @@ it("listeners know the details of the element's events, and the events of any el
     viewer.addEventListener("error", ({ detail }) => expectTypeOf(detail.error).toEqualTypeOf<Error>());
     viewer.addEventListener("pick", ({ detail }) => {
       if (detail.kind === "object") expectTypeOf(detail.object.material).toBeString();
-      if (detail.kind === "light") expectTypeOf(detail.light.power).toEqualTypeOf<Rgb>();
+      if (detail.kind === "light" && detail.light.type === "sphere") {
+        expectTypeOf(detail.light.power).toEqualTypeOf<Rgb>();
+      }
     });
     viewer.addEventListener("keydown", ({ key }) => expectTypeOf(key).toBeString());
     viewer.addEventListener("something-else", (event) => expectTypeOf(event).toEqualTypeOf<Event>());

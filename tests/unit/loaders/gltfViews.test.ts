@@ -1,12 +1,15 @@
 import { describe, expect, test } from "vitest";
 import { loadGltf } from "../../../src/loaders/gltf";
 import { parseScene } from "../../../src/scene/parseScene";
+import type { ResolvedLight, Vec3 } from "../../../src/scene/schema";
 import { roundedNumbers, type TriangleJson, triangleFile } from "../../support/gltf";
 
 const load = async (change: (json: TriangleJson) => void = () => {}) => {
   const { scene, warnings } = await loadGltf(triangleFile(change));
   return { scene: parseScene(scene), warnings };
 };
+
+type Sun = ResolvedLight & { type: "directional" };
 
 const withLight = (json: TriangleJson, light: object) => {
   json.extensionsUsed = ["KHR_lights_punctual"];
@@ -30,7 +33,8 @@ describe("lights", () => {
     });
     expect(scene.lights).toHaveLength(1);
     expect(scene.lights[0]).toMatchObject({ type: "point", position: [1, 2, 3] });
-    expect(roundedNumbers(scene.lights[0]!.power)).toEqual(roundedNumbers([40 * Math.PI, 20 * Math.PI, 0]));
+    const [light] = scene.lights as readonly [{ type: "point"; position: Vec3; power: Vec3 }];
+    expect(roundedNumbers(light.power)).toEqual(roundedNumbers([40 * Math.PI, 20 * Math.PI, 0]));
     expect(warnings).toEqual([]);
   });
 
@@ -43,7 +47,55 @@ describe("lights", () => {
     expect(warnings).toEqual(["The lights are about 9 stops too bright for an exposure of 0; try one of -9"]);
   });
 
-  test.each(["spot", "directional"])("a %s light is left out, and that is said", async (type) => {
+  test("of a directional light each lux is a watt per square metre", async () => {
+    const { scene, warnings } = await load((json) => {
+      withLight(json, { type: "directional", intensity: 3, color: [1, 0.5, 0] });
+    });
+    expect(scene.lights).toEqual([
+      { type: "directional", direction: [-0, -0, -1], irradiance: [3, 1.5, 0], angularDiameter: 0 },
+    ]);
+    expect(warnings).toEqual([]);
+  });
+
+  test.each([1, 1e-6, 1e6])(
+    "a directional light shines along −z of its node, whatever its scale, %d",
+    async (scale) => {
+      const { scene } = await load((json) => {
+        withLight(json, { type: "directional" });
+        // A parent turned by 90° around y, so that its −z is −x; below it a node turned by −45° around x, which looks down.
+        const lamp = json.nodes.length - 1;
+        json.nodes[lamp].rotation = [-Math.sin(Math.PI / 8), 0, 0, Math.cos(Math.PI / 8)];
+        json.nodes[lamp].scale = [scale, 2 * scale, 3 * scale];
+        json.nodes.push({
+          children: [lamp],
+          rotation: [0, Math.SQRT1_2, 0, Math.SQRT1_2],
+          scale: [scale, scale, scale],
+        });
+        json.scenes[0].nodes = [0, lamp + 1];
+      });
+      const [{ direction }] = scene.lights as readonly [Sun];
+      expect(roundedNumbers(direction)).toEqual(roundedNumbers([-Math.SQRT1_2, -Math.SQRT1_2, 0]));
+    },
+  );
+
+  test("a directional light in a space without depth still shines across it, in one without size it is left out", async () => {
+    const scaled = (scale: number[]) =>
+      load((json) => {
+        withLight(json, { type: "directional", name: "Sun" });
+        json.nodes.at(-1)!.scale = scale;
+      });
+    const { scene } = await scaled([1, 1, 0]);
+    expect(roundedNumbers((scene.lights[0] as Sun).direction)).toEqual([0, 0, -1]);
+    const { warnings } = await scaled([0, 0, 0]);
+    expect(warnings).toEqual(['A light in a space without size has no direction, and is left out (lights[0] "Sun")']);
+  });
+
+  test("a sun in lux is said to be too bright", async () => {
+    const { warnings } = await load((json) => withLight(json, { type: "directional", intensity: 100_000 }));
+    expect(warnings).toEqual(["The lights are about 15 stops too bright for an exposure of 0; try one of -15"]);
+  });
+
+  test.each(["spot"])("a %s light is left out, and that is said", async (type) => {
     const { warnings } = await load((json) => withLight(json, { type, name: "Sun" }));
     expect(warnings).toEqual([`Lights of type ${type} are not supported, and left out (lights[0] "Sun")`]);
   });
@@ -219,9 +271,9 @@ describe("the table", () => {
       const { scene } = await load((json) => {
         json.nodes[0].scale = [scale, scale, scale];
       });
-      const [light] = scene.lights;
-      const distance = Math.hypot(...minus(light!.position, scene.camera.target));
-      return light!.power[0] / (4 * Math.PI * distance ** 2);
+      const [light] = scene.lights as readonly [{ type: "point"; position: Vec3; power: Vec3 }];
+      const distance = Math.hypot(...minus(light.position, scene.camera.target));
+      return light.power[0] / (4 * Math.PI * distance ** 2);
     };
     expect(await irradiance(1e-6)).toBeCloseTo(await irradiance(1e6), 6);
   });
@@ -248,9 +300,17 @@ describe("the table", () => {
     expect(scene.lights.map(({ type }) => type)).toEqual(["point", "sphere"]);
   });
 
-  test("a lamp that is not supported leaves the table", async () => {
-    const { scene } = await load((json) => withLight(json, { type: "directional" }));
-    expect(hasGround(scene)).toBe(true);
+  test("a sun lights a model that faces it", async () => {
+    const sunlit = async (intensity: number, rotation: number[]) => {
+      const { scene } = await load((json) => {
+        withLight(json, { type: "directional", intensity });
+        json.nodes.at(-1)!.rotation = rotation;
+      });
+      return !hasGround(scene);
+    };
+    expect(await sunlit(1, [0, 0, 0, 1])).toBe(true);
+    expect(await sunlit(1, [0, 1, 0, 0])).toBe(false); // from behind
+    expect(await sunlit(0.1, [0, 0, 0, 1])).toBe(false);
   });
 
   test("a model all in one point, and a file with nothing in it, are valid scenes", async () => {

@@ -2,6 +2,7 @@ import { expect, it } from "vitest";
 import { nameOf, objectsOf, partsOf, withLight, withMaterial } from "../../../src/panel/editScene";
 import { plane, pointLight, sphere, sphereLight } from "../../../src/scene/builders";
 import { parseScene } from "../../../src/scene/parseScene";
+import type { ResolvedLight } from "../../../src/scene/schema";
 
 const scene = parseScene({
   camera: { position: [0, 1, 5] },
@@ -33,7 +34,7 @@ it("an edited scene is a valid one, differs in the one place, and leaves the fir
   const rough = withMaterial(scene, "<b>gold</b>", { ...scene.materials["<b>gold</b>"]!, roughness: 0.25 });
   expect(parseScene(rough).materials["<b>gold</b>"]).toMatchObject({ metallic: 1, roughness: 0.25 });
   expect(rough.materials.floor).toBe(scene.materials.floor);
-  const bright = withLight(rough, 1, { ...scene.lights[1]!, power: [9, 9, 9] });
+  const bright = withLight(rough, 1, { ...scene.lights[1]!, power: [9, 9, 9] } as ResolvedLight);
   expect(parseScene(bright).lights).toMatchObject([{ power: [1, 1, 1] }, { power: [9, 9, 9], radius: 0.5 }]);
   expect(structuredClone(scene)).toEqual(before);
 });

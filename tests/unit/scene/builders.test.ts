@@ -30,11 +30,12 @@ test("a scene made of every builder is valid", () => {
     lights: [
       build.pointLight({ position: [0, 4, 0], power: [60, 60, 60] }),
       build.sphereLight({ position: [0, 4, 0], radius: 0.1, power: [60, 60, 60] }),
+      build.directionalLight({ direction: [0, -1, 0], irradiance: [3, 3, 3], angularDiameter: 0.53 }),
     ],
   });
   const parsed = parseScene(scene);
   expect(parsed.objects.map(({ type }) => type)).toEqual(["sphere", "plane", "quad", "triangle", "box", "mesh"]);
-  expect(parsed.lights.map(({ type }) => type)).toEqual(["point", "sphere"]);
+  expect(parsed.lights.map(({ type }) => type)).toEqual(["point", "sphere", "directional"]);
 });
 
 test("a builder adds the type and nothing else", () => {

@@ -341,7 +341,16 @@ describe("objects", () => {
 
 describe("lights", () => {
   test.each([
-    [{ type: "spot" }, 'lights[0].type: expected "point" or "sphere", got "spot"'],
+    [{ type: "spot" }, 'lights[0].type: expected "point", "sphere" or "directional", got "spot"'],
+    [
+      { type: "directional", direction: [0, 0, 0], irradiance: [1, 1, 1] },
+      "lights[0].direction: expected a vector that is not zero, got [0, 0, 0]",
+    ],
+    [
+      { type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1], angularDiameter: 180 },
+      "lights[0].angularDiameter: expected an angle from 0 to less than 180 degrees, got 180",
+    ],
+    [{ type: "directional", direction: [0, -1, 0] }, "lights[0].irradiance: expected [r, g, b], got nothing"],
     [{ type: "point", position: [0, 1, 0] }, "lights[0].power: expected [r, g, b], got nothing"],
     [{ type: "point", position: [0, 1, 0], power: 60 }, "lights[0].power: expected [r, g, b], got 60"],
     [

@@ -117,6 +117,8 @@ function convertLight(light: ResolvedLight): Mesh | Light {
       const radiance = scaled(light.power, 1 / (4 * Math.PI ** 2 * light.radius ** 2));
       return new Mesh(createSphere(light.position, light.radius), createEmitter(radiance));
     }
+    case "directional":
+      throw unsupported("lights without a place");
   }
 }
 
