@@ -14,7 +14,7 @@ export type Light = {
    * geometry's table of those that emit.
    */
   readonly position: Vec3;
-  /** Radius of a sphere, area of a quad, triangle or mesh; 0 for a point; 1 − cos of the angular radius of what is infinitely far. */
+  /** Radius of a sphere or spot, area of a quad, triangle or mesh; 0 for a point; 1 − cos of the angular radius of what is infinitely far. */
   readonly size: number;
   /** Of a quad or triangle; what another kind's shader module makes of them. */
   readonly edge1: Vec3;

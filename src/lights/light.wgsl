@@ -12,7 +12,7 @@ struct Light {
   // Centre of a sphere, corner of a quad or triangle, position of a point; of a mesh, where its triangles stand in
   // `emissiveTriangles` and how many there are.
   position: vec3f,
-  // Radius of a sphere, area of a quad, triangle or mesh; of what is infinitely far, 1 − cos of its angular radius.
+  // Radius of a sphere or spot, area of a quad, triangle or mesh; of what is infinitely far, 1 − cos of its angular radius.
   size: f32,
   edge1: vec3f,
   // By which function it is sampled: see lights.ts.
@@ -22,7 +22,7 @@ struct Light {
   id: u32,
   // Radiance; intensity of a point, irradiance of one that is infinitely far.
   radiance: vec3f,
-  // Of the side a quad or triangle shines to, unit: from its edges in f32 it would take products of four lengths. Towards what is
+  // Of the side a quad, triangle or spot shines to, unit: from its edges in f32 it would take products of four lengths. Towards what is
   // infinitely far.
   normal: vec3f,
 }

@@ -7,11 +7,12 @@ import type { Light, LightKind, LightSampler, SceneLight } from "./light";
 import { mesh } from "./mesh";
 import { point } from "./point";
 import { sphere } from "./sphere";
+import { spot } from "./spot";
 
 type InScenes = { readonly [K in ResolvedLight["type"]]: SceneLight<ResolvedLight & { type: K }> };
 
 /** In the order in which the shader numbers them. */
-export const LIGHT_KINDS = { sphere, quad, triangle, point, mesh, directional } as const satisfies InScenes &
+export const LIGHT_KINDS = { sphere, quad, triangle, point, mesh, directional, spot } as const satisfies InScenes &
   Readonly<Record<string, LightKind>>;
 
 /** Everything there is to know of a light's kind. TypeScript does not correlate a union with its table. */

@@ -27,7 +27,7 @@ export type { DecodedImage, DecodeImage, LoadedScene, LoadOptions } from "./load
 /**
  * Makes a scene of a glTF 2.0 file, `.glb` or `.gltf`.
  *
- * The scene has the meshes in their places, surfaces with their textures, the point and directional lights and the first camera. A file
+ * The scene has the meshes in their places, surfaces with their textures, the lights and the first camera. A file
  * without a camera gets one that has everything in view; one that nothing lights enough to be seen gets a ground, a lamp and a
  * dim sky beside what it has. It counts as lit if its lights and what emits in it give a quarter of what the camera sees at least
  * 0.11 W·m⁻², five stops less than that lamp, or if half of what the camera sees emits as much as white would reflect then. So a

@@ -1,5 +1,6 @@
-import { length, normalize, scale, subtract } from "../math/vec3";
+import { dot, length, normalize, scale, subtract } from "../math/vec3";
 import type { Light, Rgb, Vec3 } from "../scene/schema";
+import { spotCone, spotFalloff } from "../scene/spotCone";
 
 /** What arrives from a light at a point, without shadows. */
 export type Arriving = {
@@ -15,5 +16,9 @@ export function lightAt(light: Light, point: Vec3): Arriving {
   }
   const toLight = subtract(light.position, point);
   const distance = length(toLight);
-  return { irradiance: scale(light.power, 1 / (4 * Math.PI * distance ** 2)), way: scale(toLight, 1 / distance) };
+  const way = scale(toLight, 1 / distance);
+  if (!("direction" in light)) return { irradiance: scale(light.power, 1 / (4 * Math.PI * distance ** 2)), way };
+  const cone = spotCone(light);
+  const falloff = spotFalloff(cone, -dot(way, normalize(light.direction)));
+  return { irradiance: scale(cone.intensity, falloff / distance ** 2), way };
 }

@@ -34,6 +34,17 @@ export function addLightKnobs(folder: FolderApi, light: ResolvedLight, onChange:
       .addBinding({ angularDiameter }, "angularDiameter", { label: "diameter (°)", min: 0, max: 30 })
       .on("change", ({ value }) => change({ angularDiameter: value }));
   }
+  const { innerAngle, outerAngle } = now;
+  if (innerAngle !== undefined && outerAngle !== undefined) {
+    folder
+      .addBinding({ innerAngle }, "innerAngle", { label: "inner angle (°)", min: 0, max: 90 })
+      .on("change", ({ value }) => change({ innerAngle: Math.min(value, LARGEST_INNER * now.outerAngle!) }));
+    folder
+      .addBinding({ outerAngle }, "outerAngle", { label: "outer angle (°)", min: 0.1, max: 90 })
+      .on("change", ({ value }) => {
+        change({ outerAngle: value, innerAngle: Math.min(now.innerAngle!, LARGEST_INNER * value) });
+      });
+  }
   for (const field of ["position", "direction"] as const) {
     const vector = now[field];
     if (vector === undefined) continue;
@@ -50,17 +61,23 @@ export function addLightKnobs(folder: FolderApi, light: ResolvedLight, onChange:
 type Fields = {
   readonly power?: Rgb;
   readonly irradiance?: Rgb;
+  readonly intensity?: Rgb;
   readonly position?: Vec3;
   readonly direction?: Vec3;
   readonly radius?: number;
   readonly angularDiameter?: number;
+  readonly innerAngle?: number;
+  readonly outerAngle?: number;
 };
 
 /** How strong a light is: it has one of these. */
 const STRENGTHS = [
   { field: "power", label: "power (W)" },
   { field: "irradiance", label: "irradiance (W/m²)" },
+  { field: "intensity", label: "intensity (W/sr)" },
 ] as const;
 
 // Of a light's radius as it was: it needs one.
 const LEAST_RADIUS = 1e-3;
+// Of the outer angle: the inner one is less.
+const LARGEST_INNER = 0.999;

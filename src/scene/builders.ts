@@ -35,6 +35,9 @@ export const sphereLight = (fields: Omit<LightOf<"sphere">, "type">): LightOf<"s
   ...fields,
 });
 
+/** A lamp that shines into a cone; power in watts or intensity in W/sr, and the angles in degrees from its axis. */
+export const spotLight = (fields: Omit<LightOf<"spot">, "type">): LightOf<"spot"> => ({ type: "spot", ...fields });
+
 /** A sun: light from infinitely far away, in W/m² on a surface that faces it. `angularDiameter: 0.53` gives it the sun's soft shadows. */
 export const directionalLight = (fields: Omit<LightOf<"directional">, "type">): LightOf<"directional"> => ({
   type: "directional",

@@ -238,6 +238,38 @@ export const LightSchema = byType({
     power: light,
   }),
 
+  /** A lamp that shines into a cone: fully up to the inner angle, and less and less from there to the outer one. */
+  spot: strictObject(
+    {
+      type: v.literal("spot"),
+      /** Where it is, `[x, y, z]`. */
+      position: vec3,
+      /** The axis of its cone, `[x, y, z]` of any length: where its light goes. */
+      direction,
+      /** All that leaves it, in watts, `[r, g, b]`. It has this or `intensity`. */
+      power: v.optional(light),
+      /** Within the inner cone, in W/sr, `[r, g, b]`. */
+      intensity: v.optional(light),
+      /** Degrees from the axis. In between, intensity goes as the square of what is linear in the cosine, as in glTF. */
+      innerAngle: v.optional(numberThat("an angle from 0 to less than 90 degrees", { min: 0, below: 90 }), 0),
+      /** Degrees from the axis, more than `innerAngle`. */
+      outerAngle: v.optional(numberThat("an angle from 0.001 to 90 degrees", { min: 1e-3, max: 90 }), 45),
+      /**
+       * Of a disk across the axis that shines, in metres. It softens the shadows, and never changes the power. The disk is not seen, neither
+       * by the camera nor in mirrors.
+       */
+      radius: v.optional(nonNegative, 0),
+    },
+    (fields, addIssue) => {
+      const { innerAngle, outerAngle } = fields;
+      if (!("power" in fields || "intensity" in fields)) addIssue(["power"], "expected this or intensity, got neither");
+      if ("power" in fields && "intensity" in fields) addIssue(["intensity"], "expected this or power, got both");
+      if (innerAngle !== undefined && outerAngle !== undefined && innerAngle >= outerAngle) {
+        addIssue(["innerAngle"], `expected an angle less than outerAngle (${outerAngle}), got ${innerAngle}`);
+      }
+    },
+  ),
+
   /** A sun: parallel light from infinitely far away. */
   directional: strictObject({
     type: v.literal("directional"),

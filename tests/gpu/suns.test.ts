@@ -143,7 +143,10 @@ function mixedScene(lampCount: number): Scene {
   const around = (y: number): Vec3 => [4 * random() - 2, y, 4 * random() - 2];
   const lamps = Array.from({ length: lampCount }, (_, i): Light => {
     const power: Vec3 = [30 / lampCount, 30 / lampCount, 30 / lampCount];
-    if (i % 2 === 0) return { type: "point", position: around(2), power };
+    if (i % 3 === 0) return { type: "point", position: around(2), power };
+    if (i % 3 === 1) {
+      return { type: "spot", position: around(2), direction: around(-4), power, outerAngle: 60, radius: 0.1 * (i % 2) };
+    }
     return { type: "sphere", position: around(2), radius: 0.1, power };
   });
   return {

@@ -107,6 +107,12 @@ export const LIGHTS: Readonly<Record<string, Light[]>> = {
     { type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1], angularDiameter: 0.53 },
     { type: "directional", direction: [1, -1, 0], irradiance: [1, 1, 1] },
   ],
+  "a spot": [{ type: "spot", position: [0, 3, 0], direction: [0, -1, 0], power: [1, 1, 1] }],
+  "a spot, a sun and a sphere light": [
+    { type: "spot", position: [0, 3, 0], direction: [0, -1, 0], power: [1, 1, 1] },
+    { type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1], angularDiameter: 0.53 },
+    { type: "sphere", position: [1, 3, 0], radius: 0.1, power: [1, 1, 1] },
+  ],
   "a dark sphere light": [{ type: "sphere", position: [0, 3, 0], radius: 0.1, power: [0, 0, 0] }],
   "lights of both kinds": [
     { type: "point", position: [0, 3, 0], power: [1, 1, 1] },

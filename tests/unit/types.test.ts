@@ -27,7 +27,7 @@ describe("scenes", () => {
 
   test("objects and lights are told apart by their type", () => {
     expectTypeOf<api.SceneObject["type"]>().toEqualTypeOf<"sphere" | "plane" | "quad" | "triangle" | "box" | "mesh">();
-    expectTypeOf<api.Light["type"]>().toEqualTypeOf<"point" | "sphere" | "directional">();
+    expectTypeOf<api.Light["type"]>().toEqualTypeOf<"point" | "sphere" | "spot" | "directional">();
     expectTypeOf<Extract<api.SceneObject, { type: "box" }>["rotationY"]>().toEqualTypeOf<number | undefined>();
   });
 

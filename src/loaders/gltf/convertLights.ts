@@ -1,5 +1,5 @@
 import { add, cross, length, normalize, scale, subtract } from "../../math/vec3";
-import { directionalLight, pointLight } from "../../scene/builders";
+import { directionalLight, pointLight, spotLight } from "../../scene/builders";
 import type { Light, Vec3 } from "../../scene/schema";
 import type { Bounds } from "../bounds";
 import { lightAt } from "../lightAt";
@@ -7,6 +7,8 @@ import type { Warnings } from "../warnings";
 import { placeOf } from "./materials";
 import { axisOf, type PlacedNode, positionOf } from "./nodes";
 import type { GltfJson } from "./schema";
+
+type GltfLight = NonNullable<NonNullable<GltfJson["extensions"]>["KHR_lights_punctual"]>["lights"][number];
 
 /**
  * The lights. Photometric units are taken one to one, as other viewers do: 1 cd is 1 W·sr⁻¹ and 1 lx is 1 W·m⁻². So lights and
@@ -23,23 +25,38 @@ export function convertLights(json: GltfJson, nodes: readonly PlacedNode[], warn
       color = [1, 1, 1],
       intensity = 1,
       range,
+      spot = {},
     } = json.extensions!.KHR_lights_punctual!.lights[index]!;
     const place = placeOf("lights", index, name);
-    if (type === "directional") {
-      const direction = backwardOf(world);
-      if (direction) lights.push(directionalLight({ direction, irradiance: scale(color, intensity) }));
-      else warnings.add("A light in a space without size has no direction, and is left out", place);
+    const direction = type === "point" ? undefined : backwardOf(world);
+    if (type !== "point" && !direction) {
+      warnings.add("A light in a space without size has no direction, and is left out", place);
       continue;
     }
-    if (type !== "point") {
-      warnings.add(`Lights of type ${type} are not supported, and left out`, place);
+    if (type === "directional") {
+      lights.push(directionalLight({ direction: direction!, irradiance: scale(color, intensity) }));
       continue;
     }
     if (range !== undefined) warnings.add("The range of a light is not supported: it shines on", place);
-    lights.push(pointLight({ position: positionOf(world), power: scale(color, 4 * Math.PI * intensity) }));
+    const position = positionOf(world);
+    if (type === "point") lights.push(pointLight({ position, power: scale(color, 4 * Math.PI * intensity) }));
+    else
+      lights.push(
+        spotLight({ position, direction: direction!, intensity: scale(color, intensity), ...anglesOf(spot) }),
+      );
   }
   return lights;
 }
+
+/** In degrees, brought into order where a file's are not. */
+function anglesOf({ innerConeAngle = 0, outerConeAngle = Math.PI / 4 }: NonNullable<GltfLight["spot"]>) {
+  const outerAngle = Math.min(Math.max(outerConeAngle * DEGREES, 1e-3), 90);
+  return { innerAngle: Math.min(Math.max(innerConeAngle * DEGREES, 0), LARGEST_INNER * outerAngle), outerAngle };
+}
+
+const DEGREES = 180 / Math.PI;
+// Of the outer angle: a file may have both alike.
+const LARGEST_INNER = 0.999;
 
 /** Where the −z of a space points in the world, unit; undefined in one that is flattened to a line or a point. */
 function backwardOf(world: Float64Array): Vec3 | undefined {

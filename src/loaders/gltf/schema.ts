@@ -131,6 +131,7 @@ const Light = v.object({
   color: v.optional(color),
   intensity: v.optional(nonNegative),
   range: v.optional(finite),
+  spot: v.optional(v.object({ innerConeAngle: v.optional(finite), outerConeAngle: v.optional(finite) })),
 });
 
 const list = <T extends v.GenericSchema>(item: T) => v.optional(v.array(item), []);

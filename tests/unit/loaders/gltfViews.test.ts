@@ -95,9 +95,28 @@ describe("lights", () => {
     expect(warnings).toEqual(["The lights are about 15 stops too bright for an exposure of 0; try one of -15"]);
   });
 
-  test.each(["spot"])("a %s light is left out, and that is said", async (type) => {
-    const { warnings } = await load((json) => withLight(json, { type, name: "Sun" }));
-    expect(warnings).toEqual([`Lights of type ${type} are not supported, and left out (lights[0] "Sun")`]);
+  test("of a spot each candela is a watt per steradian, and its angles are in degrees", async () => {
+    const { scene, warnings } = await load((json) => {
+      const spot = { innerConeAngle: Math.PI / 12, outerConeAngle: Math.PI / 6 };
+      withLight(json, { type: "spot", intensity: 10, color: [1, 0.5, 0], spot });
+      json.nodes.at(-1)!.scale = [5, 6, 7];
+    });
+    const [light] = scene.lights;
+    expect(light).toMatchObject({ type: "spot", position: [1, 2, 3], intensity: [10, 5, 0], radius: 0 });
+    const { direction, innerAngle, outerAngle } = light as ResolvedLight & { type: "spot" };
+    expect(roundedNumbers([...direction, innerAngle, outerAngle])).toEqual([0, 0, -1, 15, 30]);
+    expect(warnings).toEqual([]);
+  });
+
+  test.each([
+    [undefined, 0, 45],
+    [{ innerConeAngle: 1, outerConeAngle: 1 }, 57.238484, 57.29578],
+    [{ innerConeAngle: 2, outerConeAngle: 3 }, 89.91, 90],
+    [{ innerConeAngle: -1, outerConeAngle: 0 }, 0, 0.001],
+  ])("the angles of a spot are brought into order: %o", async (spot, inner, outer) => {
+    const { scene } = await load((json) => withLight(json, { type: "spot", ...(spot && { spot }) }));
+    const { innerAngle, outerAngle } = scene.lights[0] as ResolvedLight & { type: "spot" };
+    expect([innerAngle, outerAngle]).toEqual([expect.closeTo(inner, 5), expect.closeTo(outer, 5)]);
   });
 });
 
@@ -298,6 +317,18 @@ describe("the table", () => {
     const { scene } = await load((json) => withLight(json, { type: "point", intensity: 0.1 }));
     expect(hasGround(scene)).toBe(true);
     expect(scene.lights.map(({ type }) => type)).toEqual(["point", "sphere"]);
+  });
+
+  test("a spot lights a model that is in its cone", async () => {
+    const spotlit = async (translation: number[]) => {
+      const { scene } = await load((json) => {
+        withLight(json, { type: "spot", intensity: 100, spot: { outerConeAngle: 0.3 } });
+        json.nodes.at(-1)!.translation = translation;
+      });
+      return !hasGround(scene);
+    };
+    expect(await spotlit([0.3, 0.3, 3])).toBe(true);
+    expect(await spotlit([2.3, 0.3, 3])).toBe(false);
   });
 
   test("a sun lights a model that faces it", async () => {

@@ -30,12 +30,13 @@ test("a scene made of every builder is valid", () => {
     lights: [
       build.pointLight({ position: [0, 4, 0], power: [60, 60, 60] }),
       build.sphereLight({ position: [0, 4, 0], radius: 0.1, power: [60, 60, 60] }),
+      build.spotLight({ position: [0, 4, 0], direction: [0, -1, 0], power: [60, 60, 60], outerAngle: 30 }),
       build.directionalLight({ direction: [0, -1, 0], irradiance: [3, 3, 3], angularDiameter: 0.53 }),
     ],
   });
   const parsed = parseScene(scene);
   expect(parsed.objects.map(({ type }) => type)).toEqual(["sphere", "plane", "quad", "triangle", "box", "mesh"]);
-  expect(parsed.lights.map(({ type }) => type)).toEqual(["point", "sphere", "directional"]);
+  expect(parsed.lights.map(({ type }) => type)).toEqual(["point", "sphere", "spot", "directional"]);
 });
 
 test("a builder adds the type and nothing else", () => {

@@ -339,9 +339,22 @@ describe("objects", () => {
   });
 });
 
+const SPOT = { type: "spot", position: [0, 1, 0], direction: [0, -1, 0] } as const;
+
 describe("lights", () => {
   test.each([
-    [{ type: "spot" }, 'lights[0].type: expected "point", "sphere" or "directional", got "spot"'],
+    [{ type: "lamp" }, 'lights[0].type: expected "point", "sphere", "spot" or "directional", got "lamp"'],
+    [{ ...SPOT }, "lights[0].power: expected this or intensity, got neither"],
+    [{ ...SPOT, power: [1, 1, 1], intensity: [1, 1, 1] }, "lights[0].intensity: expected this or power, got both"],
+    [
+      { ...SPOT, power: [1, 1, 1], innerAngle: 45 },
+      "lights[0].innerAngle: expected an angle less than outerAngle (45), got 45",
+    ],
+    [
+      { ...SPOT, power: [1, 1, 1], outerAngle: 91 },
+      "lights[0].outerAngle: expected an angle from 0.001 to 90 degrees, got 91",
+    ],
+    [{ ...SPOT, power: [1, 1, 1], radius: -1 }, "lights[0].radius: expected a finite number ≥ 0, got -1"],
     [
       { type: "directional", direction: [0, 0, 0], irradiance: [1, 1, 1] },
       "lights[0].direction: expected a vector that is not zero, got [0, 0, 0]",

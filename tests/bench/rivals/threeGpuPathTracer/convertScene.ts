@@ -118,7 +118,8 @@ function convertLight(light: ResolvedLight): Mesh | Light {
       return new Mesh(createSphere(light.position, light.radius), createEmitter(radiance));
     }
     case "directional":
-      throw unsupported("lights without a place");
+    case "spot":
+      throw unsupported("lights with a direction");
   }
 }
 
