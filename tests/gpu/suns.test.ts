@@ -66,6 +66,26 @@ test("a sun below the ground does not shine through it, with values as constants
   }
 });
 
+test.each([1e-9, 1e12])("a sun gives a scene %d times as large the same, and shadows too", async (size) => {
+  const material = "floor";
+  const scene = (objects: readonly SceneObject[]): Scene => ({
+    ...floorScene([sun([0, -1, 0], 1)], objects),
+    camera: { position: [5 * size, 5 * size, 0], target: [0, 0, 0], verticalFov: 1e-4 },
+  });
+  const roofAt = (x: number): SceneObject => {
+    return {
+      type: "quad",
+      corner: [x * size, 2 * size, -size],
+      edge1: [2 * size, 0, 0],
+      edge2: [0, 0, 2 * size],
+      material,
+    };
+  };
+  const open = await irradianceOf(scene([roofAt(-4)]), "path");
+  expect(Math.abs(open.irradiance - 3)).toBeLessThan(4 * open.standardError + 3 * (ROUNDING + ARITHMETIC));
+  expect((await irradianceOf(scene([roofAt(-1)]), "path")).irradiance).toBe(0);
+});
+
 // Under the edge of a roof that covers part of a disk in the zenith. On the roof's plane the disk is a circle whose radius is 1 here;
 // its solid angle and cosine vary by 2·sin²1° = 6e-4 over it.
 test.each([-1.5, -0.7, 0, 0.4, 0.9, 1.5])(

@@ -21,6 +21,9 @@ const SPHERES = [
   { what: "tiny", distance: 2, radius: 1e-4 },
 ];
 
+// Degrees.
+const SUNS = [0.01, 0.53, 30, 179];
+
 type Flat = {
   readonly what: string;
   readonly kind: "quad" | "triangle";
@@ -58,16 +61,16 @@ const FLATS: readonly Flat[] = (["quad", "triangle"] as const).flatMap((kind) =>
   },
 ]);
 
-const level = sidakLevel(0.01, SPHERES.length + FLATS.length + 1);
+const level = sidakLevel(0.01, SPHERES.length + FLATS.length + SUNS.length + 1);
 const rows: StabilityRow[] = [];
 let worst = 1;
 
 afterAll(() => {
   console.log(`lights: least p-value ${worst.toFixed(4)}, level ${level.toExponential(2)}`);
   rows.unshift({
-    case: "points on sphere, quad and triangle lights, touching to 1e4 radii away",
+    case: "points on sphere, quad and triangle lights, touching to 1e4 radii away, and in suns of 0.01 to 179°",
     asserted: `χ², p ≥ ${level.toExponential(1)} (worst is the least p-value)`,
-    inputs: (SPHERES.length + FLATS.length + 1) * SAMPLES,
+    inputs: (SPHERES.length + FLATS.length + SUNS.length + 1) * SAMPLES,
     worst,
   });
   recordStability("light-sampling", rows);
@@ -119,6 +122,32 @@ describe(`${SAMPLES} points, χ² with p > ${level.toExponential(1)}, seed 1,`, 
       return Math.abs((pdf * area * cosine) / distance ** 2 - 1);
     });
     expect(Math.max(...errors)).toBeLessThan(1e-5);
+  });
+
+  test.each(SUNS)("are uniform in the disk of a sun of %d°", async (diameter) => {
+    const axis = normalize([1, 2, -2]);
+    const [t, b] = [normalize(cross(axis, [1, 0, 0])), normalize(cross(axis, cross(axis, [1, 0, 0])))];
+    const most = 2 * Math.sin((diameter * Math.PI) / 720) ** 2;
+    const sun = `Light(vec3f(0.0), ${most.toExponential()}, ${vec3(t)}, 0u, ${vec3(b)}, 0u, vec3f(1.0), ${vec3(axis)})`;
+    const samples = await sample(`sampleSky(${sun}, u)`, randomPairs(4));
+    // As of a sphere light: 1 − cos = |wi − axis|²/2.
+    const shareOf = (wi: Vec3) => Math.hypot(...subtract(wi, axis)) ** 2 / 2 / most;
+    expectUniform(
+      samples.map(({ wi }) => {
+        return [Math.min(shareOf(wi), 1 - 1e-9), Math.atan2(dot(wi, b), dot(wi, t)) / (2 * Math.PI) + 0.5];
+      }),
+    );
+    expect(samples.filter(({ wi }) => !(Math.abs(Math.hypot(...wi) - 1) < 2 ** -22))).toEqual([]);
+    // Density is one over the solid angle, by sampling and for a ray that finds the disk: a rim of 2⁻²² rad may count to either side.
+    const [asked] = await sample(`sampleSky(${sun}, u)`, [[0.5, 0.5]]);
+    expect(Math.abs(asked!.pdf * 2 * Math.PI * most - 1)).toBeLessThan(1e-6);
+    expect(Math.abs(asked!.solidAngle * asked!.pdf - 1)).toBeLessThan(1e-6);
+    const found = await probe(`vec4f(skyLightPdf(${sun}, sampleSky(${sun}, u).wi), 0.0, 0.0, 0.0)`, randomPairs(4));
+    const rim = (2 * 2 ** -22) / Math.sqrt(2 * most);
+    const wrong = samples.filter(
+      ({ wi, pdf }, i) => shareOf(wi) < 1 - rim && !(Math.abs(found[8 * i]! / pdf - 1) < 1e-6),
+    );
+    expect(wrong).toEqual([]);
   });
 
   test("squareToTriangle keeps equal areas equal", async () => {
@@ -194,6 +223,7 @@ async function probe(first: string, u: readonly (readonly [number, number])[], b
   const words = await runProbe({
     wgsl: `
       import package::lights::area::{samplePlanar, squareToTriangle};
+      import package::lights::directional::{sampleSky, skyLightPdf};
       import package::lights::light::Light;
       import package::lights::sphere::sampleSphere;
       fn probe(i: u32) {
@@ -202,7 +232,7 @@ async function probe(first: string, u: readonly (readonly [number, number])[], b
         outputs[2u * i] = bitcast<vec4u>(${first});
         outputs[2u * i + 1u] = bitcast<vec4u>(${second});
       }`,
-    conditions: {},
+    conditions: { SKY_DISKS: true },
     modules: { scene: "" },
     count: u.length,
     inputs: new Float32Array(u.flatMap(([x, y]) => [x, y, 0, 0])),

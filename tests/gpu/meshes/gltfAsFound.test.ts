@@ -55,6 +55,22 @@ function expectColor(actual: readonly number[], expected: readonly number[]): vo
   for (const [i, value] of expected.entries()) expect(Math.abs(actual[i]! - value)).toBeLessThanOrEqual(TOLERANCE);
 }
 
+test.each([
+  ["a sun of π lux", { type: "directional", intensity: Math.PI }],
+  ["a spot of π·10⁴ candela, 100 m away", { type: "spot", intensity: 1e4 * Math.PI, spot: { innerConeAngle: 0.1 } }],
+])("%s lights a square that faces it, whatever its node's scale", async (_, light) => {
+  const { at, warnings } = await render(
+    squareFile((json) => {
+      json.extensions = { KHR_lights_punctual: { lights: [light] } };
+      json.nodes[2].scale = [3, 4, 5];
+    }),
+    16,
+    16,
+  );
+  expect(warnings).toEqual([]);
+  expectColor(at(8, 8), [0.5, 0.5, 0.5]);
+});
+
 test("a file that requires KHR_materials_volume_scatter is shown without it", async () => {
   const { at, warnings } = await render(
     squareFile((json) => {
