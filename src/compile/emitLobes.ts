@@ -72,6 +72,8 @@ type Drawn = {
   /** WGSL expressions: the probability of the lobe, and whether `lobe` draws it, if it is not what is left. */
   readonly probability: string;
   readonly condition?: string;
+  /** Where its share of [0, 1) starts. */
+  readonly start: string;
 };
 
 /** In the order in which their shares lie in [0, 1): lobes of one direction first, the first of the registry that has a density last. */
@@ -90,8 +92,15 @@ function drawn(lobes: ReturnType<typeof lobesIn>, layers: readonly Layer[]): Dra
       above: above(lobe),
       probability: shares[i]!,
       condition: `lobe < ${shares.slice(0, i + 1).join(" + ")}`,
+      start: ["0.0", ...shares.slice(0, i)].join(" + "),
     })),
-    { name, lobe, above: above(lobe), probability: ["1.0", ...shares].join(" - ") },
+    {
+      name,
+      lobe,
+      above: above(lobe),
+      probability: ["1.0", ...shares].join(" - "),
+      start: ["0.0", ...shares].join(" + "),
+    },
   ];
 }
 
@@ -118,8 +127,9 @@ function emitValue(lobes: readonly Drawn[], layers: readonly Layer[], features: 
   // The last has what the others leave: added first, as it is in most scenes the only one.
   const dense = spread(lobes).reverse();
   const add = ({ name, value, probability, isBelow }: (typeof dense)[number]) => {
-    const sum = isBelow ? "below" : "sum";
-    return `  let ${name} = ${value};\n  ${sum}.f += ${name}.f;\n  ${sum}.pdf += (${probability}) * ${name}.pdf;\n`;
+    const sums = isBelow === "some" ? ["sum", "below"] : isBelow ? ["below"] : ["sum"];
+    const added = sums.map((sum) => `  ${sum}.f += ${name}.f;\n  ${sum}.pdf += (${probability}) * ${name}.pdf;\n`);
+    return `  let ${name} = ${value};\n${added.join("")}`;
   };
   // From below: each layer takes of what lies below it, and adds its own.
   const ofLayer = (wanted: Layer | undefined) => dense.filter(({ layer }) => layer === wanted).map(add);
@@ -152,7 +162,7 @@ fn layersThrough(bsdf: Bsdf, wo: vec3f, wi: vec3f) -> f32 {
 function emitExpectation(dense: ReturnType<typeof spread>, BELOW: boolean): string {
   const signature = "fn bsdfExpect(bsdf: Bsdf, wo: vec3f, wi: vec3f, size: f32) -> f32";
   const sumOf = (lobes: typeof dense) => lobes.map(({ expect }) => expect).join(" + ") || "0.0";
-  const [above, below] = [dense.filter(({ isBelow }) => !isBelow), dense.filter(({ isBelow }) => isBelow)];
+  const [above, below] = [dense.filter(({ isBelow }) => isBelow !== true), dense.filter(({ isBelow }) => isBelow)];
   if (!BELOW) {
     const expected = dense.every(({ isEven }) => isEven) ? "" : ` * (${sumOf(dense)})`;
     return `
@@ -175,6 +185,17 @@ ${signature} {
 `;
 }
 
+/** A WGSL expression for whether what a lobe has drawn is for below the surface; `wi` is what it has drawn. */
+function sideOf({ isBelow = false }: Lobe): string {
+  return isBelow === "some" ? "wi.z < 0.0" : String(isBelow);
+}
+
+/** What is left of `lobe` once it has drawn this one, for a lobe that has to draw once more. */
+function emitRest({ isBelow, start, probability }: ReturnType<typeof spread>[number]): string {
+  if (isBelow !== "some") return "";
+  return `  let rest = clamp((lobe - (${start})) / greater(${probability}, 1e-6), 0.0, 0x1.fffffep-1);\n`;
+}
+
 function emitSamples(lobes: readonly Drawn[], { UNIFORM, BELOW }: Features): string {
   const dense = spread(lobes).reverse();
   const deltas = lobes.flatMap(({ lobe, probability, condition, above }) => {
@@ -189,16 +210,17 @@ function emitSamples(lobes: readonly Drawn[], { UNIFORM, BELOW }: Features): str
   const [last, ...others] = dense;
   const left = ["1.0", ...deltas.map(({ probability }) => probability)].join(" - ");
   // Each drawn where the ones before it in [0, 1) are not.
-  const picks = others.map(({ sample, condition, isBelow }) => {
-    const side = BELOW ? `  isBelow = select(isBelow, ${isBelow ?? false}, ${condition});\n` : "";
-    return `  wi = select(wi, ${sample}, ${condition});\n${side}`;
+  const picks = others.map((picked) => {
+    const { sample, condition } = picked;
+    const side = BELOW ? `  isBelow = select(isBelow, ${sideOf(picked)}, ${condition});\n` : "";
+    return `${emitRest(picked)}  wi = select(wi, ${sample}, ${condition});\n${side}`;
   });
-  const side = BELOW ? `  var isBelow = ${last?.isBelow ?? false};\n` : "";
+  const side = last && BELOW ? `  var isBelow = ${sideOf(last)};\n` : "";
   const body = !last
     ? ""
     : lobes.length === 1 && last.alone
       ? `  return ${last.alone};\n`
-      : `  var wi = ${last.sample};\n${side}${picks.join("")}  return weighed(bsdf, wo, wi${BELOW ? ", isBelow" : ""});\n`;
+      : `${emitRest(last)}  var wi = ${last.sample};\n${side}${picks.join("")}  return weighed(bsdf, wo, wi${BELOW ? ", isBelow" : ""});\n`;
   if (UNIFORM) {
     return `
 fn bsdfSampleUniform(bsdf: Bsdf, wo: vec3f, u: vec2f, lobe: f32) -> BsdfSample {

@@ -2,6 +2,7 @@
 //
 // [1] Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", eq. 15
 // [2] Born, Wolf 1999, "Principles of Optics", 7th ed., section 1.5.2
+import package::lobes::ggx::ggxSlope;
 import package::lobes::iridescence::filmReflectance;
 import package::minMax::{greater, greatest};
 import package::scene::Bsdf;
@@ -101,11 +102,17 @@ fn refractedCos2(cosI: f32, eta: f32) -> f32 {
   return (1.0 - inverse) * (1.0 + inverse) + cosI * cosI * inverse * inverse;
 }
 
+// About the cosine under which the viewer sees the microfacets: at grazing angles those that he sees are turned towards him.
+@if(EXACT_FRESNEL)
+fn expectedCosine(bsdf: Bsdf, wo: vec3f) -> f32 {
+  return ggxSlope(wo.z, bsdf.alpha);
+}
+
 // The luminance that the interface is expected to reflect.
 @if(SPECULAR)
 fn fresnelShare(bsdf: Bsdf, wo: vec3f) -> f32 {
   @if(!EXACT_FRESNEL) return luminance(schlickFresnel(bsdf, schlickWeight(wo.z)));
-  @if(EXACT_FRESNEL) return luminance(reflectanceAt(bsdf, wo.z));
+  @if(EXACT_FRESNEL) return luminance(reflectanceAt(bsdf, expectedCosine(bsdf, wo)));
 }
 
 fn luminance(c: vec3f) -> f32 {

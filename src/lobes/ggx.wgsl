@@ -17,6 +17,8 @@ import package::scene::Bsdf;
 
 @if(ROUGH)
 fn ggxShare(bsdf: Bsdf, wo: vec3f) -> f32 {
+  // What a rough solid reflects is drawn together with what it refracts.
+  @if(ROUGH_REFRACTION) { if (bsdf.eta > 0.0) { return 0.0; } }
   @if(!MIRROR) return fresnelShare(bsdf, wo);
   @if(MIRROR) return select(0.0, fresnelShare(bsdf, wo), bsdf.alpha > 0.0);
 }

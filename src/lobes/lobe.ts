@@ -51,15 +51,16 @@ export type Lobe = MaterialPart & {
   readonly layer?: Layer;
   /** The one of its features that says whether the scene has the lobe. */
   readonly feature: string;
-  /** Whether its directions are those below the surface. */
-  readonly isBelow?: boolean;
+  /** Whether its directions are those below the surface, or some of them. */
+  readonly isBelow?: boolean | "some";
   /** The luminance that it is expected to scatter from `wo`: lobes are drawn in proportion to it. */
   readonly share: string;
 } & (
     | {
         /** A `BsdfValue` of `at: Directions`. */
         readonly value: string;
-        /** A direction, of the random point `u` of the unit square; zero if there is none. */
+        /** A direction, of the random point `u` of the unit square; zero if there is none. Of a lobe some of whose directions are below, of a
+         * random `rest` too. */
         readonly sample: string;
         /** A `BsdfSample` of `u`, exact, for scenes without another lobe. */
         readonly alone?: string;
