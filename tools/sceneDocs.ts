@@ -64,7 +64,8 @@ function typeText(schema: JsonSchema): string {
 function rangeText(schema: JsonSchema): string {
   const { minimum = -HUGE, maximum = HUGE, exclusiveMinimum, exclusiveMaximum } = schema as Record<string, number>;
   if (exclusiveMinimum !== undefined || exclusiveMaximum !== undefined) {
-    return ` > ${exclusiveMinimum ?? minimum}, < ${exclusiveMaximum ?? maximum}`;
+    const least = exclusiveMinimum === undefined ? `≥ ${minimum}` : `> ${exclusiveMinimum}`;
+    return ` ${least}, < ${exclusiveMaximum ?? maximum}`;
   }
   if (minimum <= -HUGE && maximum >= HUGE) return "";
   if (maximum >= HUGE) return minimum > 0 && minimum <= 1 / HUGE ? " > 0" : ` ≥ ${minimum}`;

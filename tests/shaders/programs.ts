@@ -101,13 +101,6 @@ export const LIGHTS: Readonly<Record<string, Light[]>> = {
   "no light": [],
   "a point light": [{ type: "point", position: [0, 3, 0], power: [1, 1, 1] }],
   "a sphere light": [{ type: "sphere", position: [0, 3, 0], radius: 0.1, power: [1, 1, 1] }],
-  "a point of a sun": [{ type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1] }],
-  "a sun": [{ type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1], angularDiameter: 0.53 }],
-  "two suns": [
-    { type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1], angularDiameter: 0.53 },
-    { type: "directional", direction: [1, -1, 0], irradiance: [1, 1, 1] },
-  ],
-  "a spot": [{ type: "spot", position: [0, 3, 0], direction: [0, -1, 0], power: [1, 1, 1] }],
   "a spot, a sun and a sphere light": [
     { type: "spot", position: [0, 3, 0], direction: [0, -1, 0], power: [1, 1, 1] },
     { type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1], angularDiameter: 0.53 },
@@ -118,6 +111,17 @@ export const LIGHTS: Readonly<Record<string, Light[]>> = {
     { type: "point", position: [0, 3, 0], power: [1, 1, 1] },
     { type: "sphere", position: [1, 3, 0], radius: 0.1, power: [1, 1, 1] },
   ],
+};
+
+/** Those that are tried with one material only. */
+const DIRECTED_LIGHTS: Readonly<Record<string, Light[]>> = {
+  "a point of a sun": [{ type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1] }],
+  "a sun": [{ type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1], angularDiameter: 0.53 }],
+  "two suns": [
+    { type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1], angularDiameter: 0.53 },
+    { type: "directional", direction: [1, -1, 0], irradiance: [1, 1, 1] },
+  ],
+  "a spot": [{ type: "spot", position: [0, 3, 0], direction: [0, -1, 0], power: [1, 1, 1] }],
 };
 
 const FULLY_LIT = ["a sphere", "a tilted plane"];
@@ -203,6 +207,18 @@ export function describePrograms(settings: ProgramSettings): void {
   test.each(Object.keys(LIGHTS))("an empty scene with %s compiles without a warning", async (light) => {
     await expectGood(sceneOf([], {}, LIGHTS[light]!, [0, 0, 0]), settings);
     await expectGood(sceneOf([], {}, LIGHTS[light]!, [1, 1, 1]), settings);
+  });
+
+  test.each(Object.keys(DIRECTED_LIGHTS))("plastic under %s compiles without a warning", async (light) => {
+    for (const radiance of [
+      [0, 0, 0],
+      [1, 1, 1],
+    ] as const) {
+      await expectGood(
+        sceneOf([PRIMITIVES["a sphere"]!], { m: MATERIALS.plastic! }, DIRECTED_LIGHTS[light]!, radiance),
+        settings,
+      );
+    }
   });
 
   test("everything at once compiles without a warning", async () => {
