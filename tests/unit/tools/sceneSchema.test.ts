@@ -78,6 +78,16 @@ const FULL_SCENE = {
   lights: [
     { type: "point", position: [0, 3, 0], power: [1, 1, 1] },
     { type: "sphere", position: [0, 3, 0], radius: 0.1, power: [1, 1, 1] },
+    {
+      type: "spot",
+      position: [0, 3, 0],
+      direction: [0, -1, 0],
+      intensity: [1, 1, 1],
+      innerAngle: 0,
+      outerAngle: 30,
+      radius: 0.1,
+    },
+    { type: "directional", direction: [0, -1, 0], irradiance: [1, 1, 1], angularDiameter: 0.53 },
   ],
   environment: { radiance: [0.1, 0.1, 0.1] },
   maxBounces: 8,
@@ -103,6 +113,10 @@ const VALUES = [
   [-1, 2, "3"],
 ];
 
+function withSpot(fields: object): object {
+  return { lights: [{ type: "spot", position: [0, 3, 0], direction: [0, -1, 0], ...fields }] };
+}
+
 /**
  * What only `parseScene` sees: rules that look at several values. Each with a scene that breaks it, and the beginning of what
  * `parseScene` says then.
@@ -119,6 +133,13 @@ const BEYOND_SCHEMA: readonly [rule: string, scene: object, message: RegExp][] =
     "multiscatter needs smith",
     withMaterial({ multiscatter: true, masking: "schlick-beckmann" }),
     /^expected false with/,
+  ],
+  ["a spot has power or intensity", withSpot({}), /^expected this or intensity, got neither/],
+  ["and not both", withSpot({ power: [1, 1, 1], intensity: [1, 1, 1] }), /^expected this or power, got both/],
+  [
+    "its inner cone is inside of the outer one",
+    withSpot({ power: [1, 1, 1], innerAngle: 50 }),
+    /^expected an angle less/,
   ],
   ["three numbers per vertex", withMesh({ positions: [0, 0] }), /^expected three numbers per vertex/],
   ["three indices per triangle", withMesh({ indices: [0, 1] }), /^expected three indices per triangle/],
