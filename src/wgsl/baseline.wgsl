@@ -53,8 +53,8 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     @if(SHADING_NORMALS) beta *= select(0.0, 1.0, leaves(surface, wi));
     counted = next.pdf > 0.0;
     if (all(beta == vec3f(0.0))) { break; }
-    @if(ABSORPTION) crossSide(surface, next.wi);
     ray = leave(surface, wi);
+    @if(ABSORPTION) crossSide(surface, next.wi, ray);
   }
   return L;
 }

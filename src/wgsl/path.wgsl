@@ -88,8 +88,8 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     let survival = select(lesser(greater(greater(beta.r, beta.g), beta.b), 1.0), 1.0, depth < ROULETTE_DEPTH);
     if (choice.y >= survival || all(beta == vec3f(0.0))) { break; }
     beta /= survival;
-    @if(ABSORPTION) crossSide(surface, next.wi);
     ray = leave(surface, wi);
+    @if(ABSORPTION) crossSide(surface, next.wi, ray);
   }
   return L;
 }
