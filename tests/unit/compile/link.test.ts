@@ -45,7 +45,13 @@ async function expectSame(
     (text, name) => text.replaceAll(new RegExp(`\\b${name}\\b`, "g"), name.replace(/\d$/, "")),
     dest,
   );
-  expect(declarationsOf(wgsl)).toEqual(declarationsOf(named));
+  expect(declarationsOf(wgsl)).toEqual(declarationsOf(named).filter((each) => !isIdle(each, named)));
+}
+
+/** An alias that nothing names: wesl-js keeps those of members of structs that conditions leave out. */
+function isIdle(declaration: string, wgsl: string): boolean {
+  const alias = /^alias (\w+)=/.exec(declaration)?.[1];
+  return alias !== undefined && wgsl.match(new RegExp(`\\b${alias}\\b`, "g"))!.length === 1;
 }
 
 function namesOf(wgsl: string): string[] {
