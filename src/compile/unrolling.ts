@@ -1,5 +1,6 @@
 // Which shapes the program meets one by one, in code of their own, and which it goes through in a loop.
 
+import { isClearWall } from "../lobes/coverage";
 import { kindOf, LOOPS, type LoopTable } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
 import type { Primitive } from "./primitives";
@@ -16,21 +17,27 @@ export type Unrolling = {
 // loop they take no time to compile, and a ray takes four times as long to meet one on a software adapter.
 const MAX_UNROLLED = 40;
 
-/** At most `MAX_UNROLLED` shapes are unrolled: bounded ones first, then those of one table after the other. */
+/**
+ * At most `MAX_UNROLLED` shapes are unrolled: bounded ones first, then those of one table after the other. Of those no wall that light
+ * passes straight is: see `isWall`.
+ */
 export function unrollingOf(primitives: readonly Primitive[], geometry: Geometry | undefined): Unrolling {
   const unrolled: number[] = [];
+  const walls = new Set<number>();
   const tables = new Map<LoopTable, number[]>(LOOPS.map((table) => [table, []]));
-  for (const [id, { shape }] of primitives.entries()) {
+  for (const [id, { shape, material }] of primitives.entries()) {
     const { meeting, loop } = kindOf(shape);
     const how = meeting(shape);
     if (how === "loop") tables.get(loop!)!.push(id);
-    else if (how === "bounded" && !geometry?.shapes.has(id)) unrolled.push(id);
+    if (how === "loop" && material !== "black" && isClearWall(material)) walls.add(id);
+    if (how === "bounded" && !geometry?.shapes.has(id)) unrolled.push(id);
   }
   const loops = [];
   for (const [table, all] of tables) {
-    const count = Math.min(all.length, Math.max(MAX_UNROLLED - unrolled.length, 0));
-    unrolled.push(...all.slice(0, count));
-    if (count < all.length) loops.push({ table, ids: all.slice(count) });
+    const free = all.filter((id) => !walls.has(id));
+    unrolled.push(...free.slice(0, Math.max(MAX_UNROLLED - unrolled.length, 0)));
+    const ids = all.filter((id) => !unrolled.includes(id));
+    if (ids.length > 0) loops.push({ table, ids });
   }
   return { unrolled: unrolled.sort((a, b) => a - b), loops };
 }

@@ -9,7 +9,7 @@ export function hasHoles(material: ResolvedMaterial): boolean {
 }
 
 /** Is a thin wall without microfacets, which light passes straight. */
-function isClearWall(material: ResolvedMaterial): boolean {
+export function isClearWall(material: ResolvedMaterial): boolean {
   return isTransmissive(material) && !isSolid(material) && alphaOf(material) === 0;
 }
 

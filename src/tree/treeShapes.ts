@@ -2,7 +2,7 @@
 
 import type { ResolvedScene } from "../scene/schema";
 import { ITEMS } from "../shapes/shapes";
-import { type BoundedPrimitive, boundedShapesOf, MAX_UNROLLED } from "./boundedShapes";
+import { type BoundedPrimitive, boundedShapesOf, isWall, MAX_UNROLLED } from "./boundedShapes";
 import { boundsOfShape } from "./boundsOfShape";
 
 // A shape whose box has this share of the surface of the box around all is met by so many rays that the tree is a detour: a
@@ -14,19 +14,28 @@ const FEW = 4;
 // As many large shapes as few ones of all kinds leave room for.
 const MOST_LARGE = MAX_UNROLLED - ITEMS.length * FEW;
 
-/** The bounded shapes that are not unrolled: none of up to `MAX_UNROLLED`; of more, all but the large ones and rare kinds. */
+/**
+ * The bounded shapes that are not unrolled: walls that light passes straight; of the others none of up to `MAX_UNROLLED`, and of more
+ * all but the large ones and rare kinds.
+ */
 export function treeShapesOf(scene: ResolvedScene): BoundedPrimitive[] {
-  const bounded = boundedShapesOf(scene);
+  const all = boundedShapesOf(scene);
+  const walls = all.filter((each) => isWall(scene, each));
+  const others = all.filter((each) => !isWall(scene, each));
+  return [...walls, ...small(others)].sort((a, b) => a.id - b.id);
+}
+
+function small(bounded: readonly BoundedPrimitive[]): BoundedPrimitive[] {
   if (bounded.length <= MAX_UNROLLED) return [];
   const boxes = bounded.map(({ shape }) => boundsOfShape(shape));
   const least = LARGE_SHARE * halfArea(boxAround(boxes));
   const larger = boxes.flatMap((box, i) => (halfArea(box) > least ? [{ i, area: halfArea(box) }] : []));
   const largestFirst = larger.sort((a, b) => b.area - a.area);
   const large = new Set(largestFirst.slice(0, MOST_LARGE).map(({ i }) => i));
-  const small = bounded.filter((_, i) => !large.has(i));
+  const rest = bounded.filter((_, i) => !large.has(i));
   const counts = new Map<string, number>();
-  for (const { shape } of small) counts.set(shape.kind, (counts.get(shape.kind) ?? 0) + 1);
-  return small.filter(({ shape }) => counts.get(shape.kind)! > FEW);
+  for (const { shape } of rest) counts.set(shape.kind, (counts.get(shape.kind) ?? 0) + 1);
+  return rest.filter(({ shape }) => counts.get(shape.kind)! > FEW);
 }
 
 type Box = readonly number[];

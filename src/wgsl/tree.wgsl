@@ -12,7 +12,7 @@ import package::constants::FAR;
 import package::coverage::{betweenPart, entersPart, nearerPart};
 import package::minMax::{greater, lesser};
 import package::ray::{Hit, Ray, between, innerRay, nearer};
-import package::scene::{PRIMITIVES, STACK_SIZE, itemIntersect};
+import package::scene::{PRIMITIVES, STACK_SIZE, itemIntersect, shapeOf};
 import package::shapes::triangle::{Shear, shearOf};
 
 // Two texels each, rows of 4096 nodes; see tree/packTree.ts. Written by the renderer when the geometry changes.
@@ -75,8 +75,10 @@ fn treeClosest(ray: Ray, found: Hit) -> Hit {
     for (var slot = first; slot < end; slot++) {
       let id = PRIMITIVES + slot;
       @if(!TREE_HOLES) hit = nearer(hit, itemIntersect(ray, shear, slot, id), id, ray);
-      @if(TREE_HOLES) hit = nearerPart(hit, itemIntersect(ray, shear, slot, id), id, ray);
-      @if(TREE_HOLES && TREE_CLOSED) hit = nearerPart(hit, farSide(ray, shear, slot, id), id, ray);
+      @if(TREE_HOLES && !TREE_CLOSED) hit = nearerPart(hit, itemIntersect(ray, shear, slot, id), id, ray);
+      @if(TREE_HOLES && TREE_CLOSED) {
+        for (var side = 0u; side < 2u; side++) { hit = nearerPart(hit, sideOf(ray, shear, slot, id, side), id, ray); }
+      }
     }
     link = nextWaiting(NOTHING, true);
   }
@@ -97,8 +99,12 @@ fn treeOccludes(ray: Ray, distance: f32, target_: u32) -> bool {
     for (var slot = first; slot < end; slot++) {
       let id = PRIMITIVES + slot;
       @if(!TREE_HOLES) blocked |= between(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
-      @if(TREE_HOLES) blocked |= betweenPart(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
-      @if(TREE_HOLES && TREE_CLOSED) blocked |= betweenPart(farSide(ray, shear, slot, id), distance, id, ray) & (id != target_);
+      @if(TREE_HOLES && !TREE_CLOSED) blocked |= betweenPart(itemIntersect(ray, shear, slot, id), distance, id, ray) & (id != target_);
+      @if(TREE_HOLES && TREE_CLOSED) {
+        for (var side = 0u; side < 2u; side++) {
+          blocked |= betweenPart(sideOf(ray, shear, slot, id, side), distance, id, ray) & (id != target_);
+        }
+      }
     }
     if (blocked) { break; }
     link = nextWaiting(NOTHING, true);
@@ -106,10 +112,15 @@ fn treeOccludes(ray: Ray, distance: f32, target_: u32) -> bool {
   return blocked;
 }
 
-// Where a ray that meets a closed item leaves it, if it may have passed the near side; not positive if there is nothing to leave.
+// Where a ray meets an item's near side, 0, and where it leaves a closed one that it may have entered, 1; not positive if it does not.
+// One function of both, so that what they lead to is in a program once.
 @if(TREE_HOLES && TREE_CLOSED)
-fn farSide(ray: Ray, shear: Shear, slot: u32, id: u32) -> f32 {
-  if (itemAt(slot).kind <= TURNED_TRIANGLE || !entersPart(ray, itemIntersect(ray, shear, slot, id), id)) { return -1.0; }
+fn sideOf(ray: Ray, shear: Shear, slot: u32, id: u32, side: u32) -> f32 {
+  let near = itemIntersect(ray, shear, slot, id);
+  if (side == 0u) { return near; }
+  let item = itemAt(slot);
+  let isFlat = item.kind <= TURNED_TRIANGLE || shapeOf(item.id).w == 0.0;
+  if (isFlat || !entersPart(ray, near, id)) { return -1.0; }
   return itemIntersect(innerRay(ray, id), shear, slot, id);
 }
 

@@ -1,4 +1,4 @@
-"""Writes scenes/glass.json, cutouts.json, thinWall.json and textured.json: the reference scenes of what light passes, and of textures.
+"""Writes scenes/glass.json, cutouts.json and textured.json: the reference scenes of what light passes, and of textures.
 
 Usage: python make_surface_scenes.py
 """
@@ -113,37 +113,6 @@ def cutouts():
     })
 
 
-def thin_wall():
-    pane = {'roughness': 0, 'transmission': 1}
-    write('thinWall.json', {
-        'camera': {'position': [0, 2.4, 4.7], 'target': [0, .55, 0], 'up': [0, 1, 0], 'verticalFov': 38},
-        'materials': {
-            'sand': {**LAMBERT, 'baseColor': [.8, .75, .6]},
-            'brick': {**LAMBERT, 'baseColor': [.6, .2, .12]},
-            'slate': {**LAMBERT, 'baseColor': [.15, .25, .4]},
-            'moss': {**LAMBERT, 'baseColor': [.3, .5, .15]},
-            'clay': {**LAMBERT, 'baseColor': [.85, .45, .3]},
-            'lamp': {**LAMBERT, 'baseColor': [0, 0, 0], 'emission': [5, 4.6, 4]},
-            'pane': {**pane, 'baseColor': [.95, .5, .4]},
-            'dense': {**pane, 'baseColor': [.5, .75, .95], 'ior': 2.2},
-            'bubble': {**pane, 'ior': 1.8},
-            'milky': {**pane, 'baseColor': [.5, .85, .6], 'transmission': .6},
-        },
-        'objects': [
-            *tiles(2.2, 4, ['sand', 'brick', 'slate', 'moss']),
-            lamp([-.3, 3, -.2], 2.4),
-            {'type': 'quad', 'corner': [-1.7, .05, .9], 'edge1': [1.2, 0, -.3], 'edge2': [0, 1.1, .1], 'material': 'pane'},
-            {'type': 'quad', 'corner': [-1.2, .05, .3], 'edge1': [1.3, 0, -.2], 'edge2': [0, 1.5, -.2], 'material': 'dense'},
-            {'type': 'box', 'center': [1.2, .56, -.35], 'size': [.9, 1.1, .9], 'rotationY': 30, 'material': 'milky'},
-            {'type': 'sphere', 'center': [.65, .56, .95], 'radius': .55, 'material': 'bubble'},
-            {'type': 'sphere', 'center': [.6, .32, .95], 'radius': .3, 'material': 'clay'},
-            {'type': 'sphere', 'center': [-.8, .46, -.7], 'radius': .45, 'material': 'clay'},
-        ],
-        'environment': {'radiance': [.4, .45, .5]},
-        'maxBounces': 12,
-    })
-
-
 def gourd(rows, columns):
     """A body around y, of unit height and closed above, with its normals; u runs around it, v down. A seam where u starts anew."""
     t = np.arange(1, rows + 1) / rows
@@ -194,7 +163,6 @@ def textured():
 def main():
     glass()
     cutouts()
-    thin_wall()
     textured()
 
 

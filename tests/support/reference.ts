@@ -23,7 +23,7 @@ export type Reference = {
 export const ANALYTIC_NAMES = ["cornell", "spheres", "bleed", "veach", "furnace"] as const;
 export const REFERENCE_NAMES = [...ANALYTIC_NAMES, "knot", "glow"] as const;
 /** Of surfaces that light passes, or that have pictures on them. */
-export const SURFACE_REFERENCE_NAMES = ["glass", "cutouts", "thinWall", "textured"] as const;
+export const SURFACE_REFERENCE_NAMES = ["glass", "cutouts", "textured"] as const;
 
 type ReferenceName = (typeof REFERENCE_NAMES)[number] | (typeof SURFACE_REFERENCE_NAMES)[number];
 
