@@ -1,6 +1,10 @@
-import { nextTask } from "../../nextTask";
-import { keep } from "../../scene/keptBytes";
-import type { DecodedImage } from "../loadedScene";
+import { nextTask } from "../nextTask";
+import { keep } from "./keptBytes";
+
+/** Red, green, blue, alpha, a byte each; rows from the top. */
+type Picture = { readonly width: number; readonly height: number; readonly texels: Uint8Array<ArrayBuffer> };
+/** One as a browser decodes it too. */
+type AnyPicture = Omit<Picture, "texels"> & { readonly texels: Uint8Array | Uint8ClampedArray };
 
 /** Texels that are read in one task: they take a few milliseconds. */
 const SLICE_TEXELS = 2 ** 18;
@@ -29,11 +33,11 @@ const AT_LEAST = (() => {
  * @param isColor - whether red, green and blue are sRGB, of which the light is averaged, or data. Alpha is always data.
  */
 export async function shrinkPicture(
-  image: DecodedImage,
+  image: AnyPicture,
   [width, height]: readonly [number, number],
   isColor: boolean,
   signal: AbortSignal | undefined,
-): Promise<DecodedImage> {
+): Promise<Picture> {
   const texels = new Uint8Array(4 * width * height);
   const columns = overlaps(image.width, width);
   const rows = overlaps(image.height, height);
@@ -79,7 +83,7 @@ function overlaps(from: number, to: number): Overlaps {
 }
 
 function addTexels(
-  { texels, width }: DecodedImage,
+  { texels, width }: AnyPicture,
   row: number,
   columns: Overlaps,
   isColor: boolean,
