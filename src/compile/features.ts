@@ -61,11 +61,6 @@ export function deriveFeatures(
     // Or a texture of them: shading goes by another normal than the surface's own.
     SHADING_NORMALS: isSmooth || NORMAL_TEXTURES,
     TEXTURES: TEXTURE_FIELDS.some(hasTexture),
-    // Some texture can be seen from so far that its texels are smaller than a pixel.
-    MIPS:
-      TEXTURE_FIELDS.some(hasTexture) &&
-      settings.estimator === "path" &&
-      Object.values(geometry?.textures ?? {}).some(({ width, height }) => width * height > 1),
     COLORS,
     TANGENTS: (NORMAL_TEXTURES || hasTexture("clearcoatNormalTexture") || isStretched) && hasTangents,
     // Vertices have more than positions and normals.

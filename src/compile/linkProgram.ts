@@ -7,7 +7,7 @@ const AT_ONCE = import.meta.glob<string>(
     "../{wgsl,shapes,lights,lobes}/*.wgsl",
     "!../{shapes,lights}/mesh.wgsl",
     "!../lobes/{multiscatter,refraction,roughRefraction,roughWall,diffuseTransmission,sheen,clearcoat,anisotropy,iridescence}.wgsl",
-    "!../wgsl/{tree,textures,cone,coverage,lens,baseline,pick,medium,dispersion,stretch}.wgsl",
+    "!../wgsl/{tree,textures,coverage,lens,baseline,pick,medium,dispersion,stretch}.wgsl",
   ],
   { query: "?raw", import: "default", eager: true },
 );
@@ -17,7 +17,7 @@ const ON_DEMAND = import.meta.glob<string>(
   [
     "../{shapes,lights}/mesh.wgsl",
     "../lobes/{multiscatter,refraction,roughRefraction,roughWall,diffuseTransmission,sheen,clearcoat,anisotropy,iridescence}.wgsl",
-    "../wgsl/{tree,textures,cone,coverage,lens,baseline,pick,medium,dispersion,stretch}.wgsl",
+    "../wgsl/{tree,textures,coverage,lens,baseline,pick,medium,dispersion,stretch}.wgsl",
   ],
   { query: "?raw", import: "default" },
 );

@@ -26,15 +26,6 @@ export const TEXTURE_FIELDS = [
 ] as const;
 export type TextureField = (typeof TEXTURE_FIELDS)[number];
 
-/** Those of them whose red, green and blue are a colour, in sRGB. The others hold data. */
-export const COLOR_TEXTURES = [
-  "baseColorTexture",
-  "emissionTexture",
-  "diffuseTransmissionColorTexture",
-  "specularColorTexture",
-  "sheenColorTexture",
-] as const satisfies readonly TextureField[];
-
 // More names than this make a list that nobody reads.
 const MAX_LISTED_NAMES = 8;
 

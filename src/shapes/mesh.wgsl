@@ -4,12 +4,11 @@
 // [2] Keller et al. 2017, "The Iray Light Transport Simulation and Rendering System", appendix A.3
 // [3] Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 3(2)
 // [4] Hanika 2021, "Hacking the Shadow Terminator", Ray Tracing Gems II ch. 4
-import package::cone::coneWidth;
 import package::constants::NONE;
 import package::minMax::{greater, lesser};
 import package::ray::Ray;
 import package::scene::{COLOR_AT, TANGENT_AT, UVS1_AT, VERTEX_STRIDE, coatNormalScaleOf, factorsOf, textureOf};
-import package::textures::{dataAt, footprintAreas, uvTurned};
+import package::textures::{dataAt, uvTurned};
 import package::tree::{Item, TURNED_TRIANGLE};
 import package::uvs::Uvs;
 
@@ -35,9 +34,6 @@ const LINE = 0x1p-60;
 
 // Length of a sum of unit normals that has no digits left but rounding.
 const CANCELLED = 1e-6;
-
-// Of the angle at which the smallest mip level is seen: 20 levels of a texture that is at its own size from the front.
-const LEAST_COSINE = 0x1p-20;
 
 // Of a tangent, or of the square of a normal that a texture tells: too short to have a direction.
 const NO_DIRECTION = 1e-12;
@@ -93,12 +89,6 @@ fn meshPoint(ray: Ray, t: f32, slot: u32, item: Item) -> MeshPoint {
   found.n = select(normal, -normal, item.kind == TURNED_TRIANGLE);
   found.clearance = dot(abs(normal), error);
   @if(TEXTURES) found.uv = uvAt(slot, weights);
-  @if(MIPS) {
-    // Of the ellipse that the ray's cone cuts out of the triangle's plane, in units of the triangle's area.
-    let width = coneWidth(t) / longest;
-    let cut = width * width / (twiceArea * greater(abs(dot(ray.d, normal)), LEAST_COSINE));
-    footprintAreas = cut * uvAreas(slot);
-  }
   @if(COLORS) found.color = colorOn(slot, weights);
   @if(COAT_NORMAL) found.coatN = found.n;
   @if(MESH_STRETCH) {
@@ -162,22 +152,6 @@ fn uvAt(slot: u32, weights: vec3f) -> Uvs {
 @if(UV_TRANSFORMS)
 fn uvAt(slot: u32, weights: vec3f) -> Uvs {
   return vec4f(pairOn(slot, weights, 0u), pairOn(slot, weights, UVS1_AT));
-}
-
-// Twice a triangle's area in its texture coordinates, of both sets.
-@if(MIPS)
-fn uvAreas(slot: u32) -> vec2f {
-  let first = uvArea(slot, 0u);
-  @if(!UV_TRANSFORMS) return vec2f(first, 0.0);
-  @if(UV_TRANSFORMS) return vec2f(first, uvArea(slot, UVS1_AT));
-}
-
-@if(MIPS)
-fn uvArea(slot: u32, at: u32) -> f32 {
-  let corner = vertexPart(slot, 0u, at);
-  let d1 = vertexPart(slot, 1u, at) - corner;
-  let d2 = vertexPart(slot, 2u, at) - corner;
-  return abs(d1.x * d2.y - d1.y * d2.x);
 }
 
 // A pair, interpolated.

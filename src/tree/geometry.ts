@@ -4,7 +4,6 @@
 import { type AsyncBuildOptions, buildBvhAsync } from "../bvh/buildInWorker";
 import { triangleBounds } from "../bvh/triangleBounds";
 import { length, subtract } from "../math/vec3";
-import { colorTexturesOf } from "../scene/mipLevels";
 import type { ResolvedScene, Vec3 } from "../scene/schema";
 import { emissionOf } from "../scene/shown";
 import { inSceneUnits } from "../shapes/sceneUnits";
@@ -33,7 +32,7 @@ export type GeometryData = {
   readonly emissiveTriangles: ArrayBuffer | undefined;
   /** Undefined where no material has textures, and no mesh colours. */
   readonly vertices: ArrayBuffer | undefined;
-  /** One after the other: of every texture all mip levels. */
+  /** One after the other. */
   readonly texels: readonly Uint8Array[] | undefined;
 };
 
@@ -45,8 +44,6 @@ export type Geometry = {
   readonly emitting: readonly number[];
   readonly lights: ReadonlyMap<number, MeshLight>;
   readonly textures: Textures;
-  /** Names of those that are colours. */
-  readonly colorTextures: ReadonlySet<string>;
   /** What packs those, because only a scene of meshes has some. */
   readonly textureTables: typeof textureTables;
   /** `slotOf[item]`: where it lies in the tree's leaves. Items are the triangles of all meshes, then `treeShapes`. */
@@ -86,13 +83,12 @@ export async function prepareGeometry(
   const usesUvs =
     Object.keys(scene.textures).length > 0 || Object.values(scene.materials).some(({ anisotropy }) => anisotropy > 0);
   const hasLayout = (previous?.vertexLayout.uvs !== undefined) === usesUvs;
-  const colorTextures = colorTexturesOf(scene.materials);
-  const hasTexels =
-    previous !== undefined &&
-    haveSameTexels(previous.textures, scene.textures) &&
-    colorTextures.size === previous.colorTextures.size &&
-    [...colorTextures].every((name) => previous.colorTextures.has(name));
-  if (previous && hasLayout && hasTexels && isSame(previous, meshes, treeShapes, origin)) {
+  if (
+    previous &&
+    hasLayout &&
+    isSame(previous, meshes, treeShapes, origin) &&
+    haveSameTexels(previous.textures, scene.textures)
+  ) {
     return areEqual(emitting, previous.emitting) ? previous : withLights(previous, emitting);
   }
 
@@ -113,12 +109,12 @@ export async function prepareGeometry(
   for (let slot = 0; slot < bvh.order.length; slot++) slotOf[bvh.order[slot]!] = slot;
   const shapes = new Map(treeShapes.map(({ id }, i) => [id, slotOf[triangleCount + i]!]));
   const { textures } = scene;
-  const texels = hasTexels ? previous.data.texels : await texelParts(textures, colorTextures, options.signal);
+  const texels = texelParts(textures);
   const vertexLayout = vertexLayoutOf(parts, usesUvs);
   const data = { nodes: packTree(bvh), ...packItems(parts, treeShapes, slotOf, vertexLayout), texels };
   const { depth } = bvh;
   return withLights(
-    { origin, parts, treeShapes, shapes, textures, colorTextures, textureTables, slotOf, depth, vertexLayout, data },
+    { origin, parts, treeShapes, shapes, textures, textureTables, slotOf, depth, vertexLayout, data },
     emitting,
   );
 }

@@ -1,24 +1,11 @@
-import { lesserLevels } from "../scene/mipLevels";
 import type { ResolvedScene, ResolvedTexture } from "../scene/schema";
 
 /** Pictures by name. */
 export type Textures = ResolvedScene["textures"];
 
-/**
- * The texels of all pictures, of each all mip levels; undefined if there are none. One after the other they are what the shader reads.
- *
- * @param colors - names of those that are colours.
- * @throws the reason of `signal`.
- */
-export async function texelParts(
-  textures: Textures,
-  colors: ReadonlySet<string>,
-  signal: AbortSignal | undefined,
-): Promise<readonly Uint8Array[] | undefined> {
-  const parts: Uint8Array[] = [];
-  for (const [name, texture] of Object.entries(textures)) {
-    parts.push(texture.texels, ...(await lesserLevels(texture, colors.has(name), signal)));
-  }
+/** The texels of all pictures, as they are; undefined if there are none. One after the other they are what the shader reads. */
+export function texelParts(textures: Textures): readonly Uint8Array[] | undefined {
+  const parts = Object.values(textures).map(({ texels }) => texels);
   return parts.length === 0 ? undefined : parts;
 }
 

@@ -1,4 +1,3 @@
-import { texelsOfLevels } from "../scene/mipLevels";
 import { type ResolvedMaterial, TEXTURE_FIELDS, type TextureField, type TextureReference } from "../scene/schema";
 import { BLACK } from "../scene/shown";
 import { uvRows, type WholeReference, wholeReference } from "../scene/textureReference";
@@ -45,7 +44,7 @@ function textureRows(textures: Textures, references: readonly WholeReference[]) 
   let next = 0;
   for (const [name, { width, height }] of Object.entries(textures)) {
     firsts.set(name, next);
-    next += texelsOfLevels(width, height);
+    next += width * height;
   }
   return references.map((reference) => {
     const { width, height, wrapU, wrapV, filter } = textures[reference.texture]!;

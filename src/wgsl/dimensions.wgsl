@@ -13,8 +13,6 @@ const LIGHT_PICK = 0x20000000u;
 const DIRECTION = 2u;
 // x: lobe, y: roulette.
 const LOBE = 3u;
-// Of the path: which mip level of two.
-const MIP_LEVEL = 0x30000000u;
 const PER_BOUNCE = 3u;
 
 fn dimensionAt(depth: u32, decision: u32) -> u32 {

@@ -4,7 +4,6 @@
 // [2] Arvo, Kirk 1990, "Particle Transport and Image Synthesis"
 import package::basis::{toLocal, toWorld};
 import package::camera::cameraRay;
-import package::cone::{followCone, startCone};
 import package::constants::{NEAR2, NONE};
 import package::coverage::{drawCoverage, tintBefore};
 import package::dimensions::{DIRECTION, LENS_POINT, LIGHT, LOBE, PIXEL, dimensionAt};
@@ -37,7 +36,6 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
   // Where the ray started, and the weight of all lights there.
   @if(MANY_LIGHTS) var last: Surface;
   @if(MANY_LIGHTS) var totalWeight = 1.0;
-  @if(MIPS) startCone(ray, samples);
   @if(ABSORPTION) enterScene(ray);
   @if(DISPERSION) drawColor(samples);
   for (var depth = 0u; ; depth++) {
@@ -87,7 +85,6 @@ fn Li(pixel: vec2u, samples: Sampler) -> vec3f {
     beta *= next.weight;
     @if(SHADING_NORMALS) beta *= select(0.0, 1.0, leaves(surface, wi));
     pdf = next.pdf;
-    @if(MIPS) followCone(hit.t, pdf);
     let survival = select(lesser(greater(greater(beta.r, beta.g), beta.b), 1.0), 1.0, depth < ROULETTE_DEPTH);
     if (choice.y >= survival || all(beta == vec3f(0.0))) { break; }
     beta /= survival;

@@ -21,12 +21,6 @@ fn makeSampler(pixel: vec2u, half: u32, seed: u32, index: u32) -> Sampler {
   @if(!SOBOL) return Sampler(hash, index);
 }
 
-// Of the sample within its half of the film.
-fn sampleIndex(samples: Sampler) -> u32 {
-  @if(SOBOL) return reverseBits(samples.index);
-  @if(!SOBOL) return samples.index;
-}
-
 // A point in [0, 1)².
 @if(SOBOL)
 fn point(samples: Sampler, dimension: u32) -> vec2f {

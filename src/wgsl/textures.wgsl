@@ -1,19 +1,18 @@
 // Textures of meshes, filtered here: texels are in one buffer, so that pictures of any size and number need one binding, and
-// nothing is scaled.
-import package::cone::levelChance;
+// nothing is scaled. Level 0 only: a pixel's samples filter it.
 import package::constants::NONE;
 import package::minMax::{greater, lesser};
 import package::scene::{factorsOf, textureOf};
 import package::uvs::Uvs;
 
-// Red, green, blue, alpha of all textures, a byte each from the lowest on; rows from the top. Of each its mip levels follow. Written by the renderer when the
+// Red, green, blue, alpha of all textures, a byte each from the lowest on; rows from the top. Written by the renderer when the
 // geometry changes.
 @if(TEXTURES)
 @group(0) @binding(10) var<storage, read> texels: array<u32>;
 
 // One texture, with UV_TRANSFORMS in one of its places; packed by tree/textureTables.ts.
 struct Texture {
-  // Of level 0: width, height, index of the first texel.
+  // Width, height, index of the first texel.
   place: vec3u,
   // What lies left and right, above and below: WRAP_REPEAT, WRAP_MIRROR or WRAP_CLAMP.
   wrapU: u32,
@@ -36,16 +35,11 @@ struct Footprint {
   share: vec2f,
 }
 
-// How much the next look-ups stand for, in texture coordinates of both sets: see cone.wgsl.
-@if(MIPS)
-var<private> footprintAreas: vec2f;
-
 // A colour, from sRGB.
 @if(TEXTURES)
 fn colorAt(texture: u32, uv: Uvs) -> vec3f {
   if (texture == NONE) { return vec3f(1.0); }
-  let whole = textureOf(texture);
-  let f = footprint(whole, placeOf(whole), uv);
+  let f = footprint(textureOf(texture), uv);
   return bilinear(linearOf(valueOf(f.texels.x)), linearOf(valueOf(f.texels.y)), linearOf(valueOf(f.texels.z)),
     linearOf(valueOf(f.texels.w)), f.share);
 }
@@ -54,51 +48,30 @@ fn colorAt(texture: u32, uv: Uvs) -> vec3f {
 @if(TEXTURES)
 fn dataAt(texture: u32, uv: Uvs) -> vec3f {
   if (texture == NONE) { return vec3f(1.0); }
-  let whole = textureOf(texture);
-  let f = footprint(whole, placeOf(whole), uv);
+  let f = footprint(textureOf(texture), uv);
   return bilinear(valueOf(f.texels.x), valueOf(f.texels.y), valueOf(f.texels.z), valueOf(f.texels.w), f.share);
 }
 
-// Its alpha, of level 0: a mask of means covers more or less than the mask.
+// Its alpha.
 @if(TEXTURES)
 fn alphaAt(texture: u32, uv: Uvs) -> f32 {
   if (texture == NONE) { return 1.0; }
-  let whole = textureOf(texture);
-  let f = footprint(whole, whole.place, uv);
+  let f = footprint(textureOf(texture), uv);
   let alphas = vec4f(f.texels >> vec4u(24u)) / 255.0;
   return mix(mix(alphas.x, alphas.y, f.share.x), mix(alphas.z, alphas.w, f.share.x), f.share.y);
 }
 
-// Width, height and first texel of the level whose texels are as large as what a look-up stands for, or of one of the two
-// next to that: the mean of many look-ups is that between them.
 @if(TEXTURES)
-fn placeOf(texture: Texture) -> vec3u {
-  @if(!MIPS) return texture.place;
-  @if(MIPS) {
-    @if(!UV_TRANSFORMS) let area = footprintAreas.x;
-    @if(UV_TRANSFORMS) let area = select(footprintAreas.x, footprintAreas.y, texture.uv == 1u) *
-      abs(texture.toU.x * texture.toV.y - texture.toU.y * texture.toV.x);
-    var place = texture.place;
-    let texelCount = greater(area * f32(place.x) * f32(place.y), 1.0);
-    let level = u32(lesser(0.5 * log2(texelCount), 31.0) + levelChance);
-    for (var i = 0u; i < level && (place.x > 1u || place.y > 1u); i++) {
-      place = vec3u(max(place.xy / 2u, vec2u(1u)), place.z + place.x * place.y);
-    }
-    return place;
-  }
-}
-
-@if(TEXTURES)
-fn footprint(texture: Texture, level: vec3u, given: Uvs) -> Footprint {
+fn footprint(texture: Texture, given: Uvs) -> Footprint {
   @if(!UV_TRANSFORMS) let uv = given;
   @if(UV_TRANSFORMS) let uv = uvTurned(texture, select(given.xy, given.zw, texture.uv == 1u)) + vec2f(texture.toU.z, texture.toV.z);
-  let size = vec2f(level.xy);
+  let size = vec2f(texture.place.xy);
   let place = vec2f(fold(uv.x, texture.wrapU), fold(uv.y, texture.wrapV)) * size - 0.5;
   let corner = floor(select(place, place + 0.5, texture.nearest == 1u));
   let share = select(place - corner, vec2f(0.0), texture.nearest == 1u);
   let x = vec2u(column(corner.x, size.x, texture.wrapU), column(corner.x + 1.0, size.x, texture.wrapU));
   let y = vec2u(column(corner.y, size.y, texture.wrapV), column(corner.y + 1.0, size.y, texture.wrapV));
-  let rows = level.z + y * level.x;
+  let rows = texture.place.z + y * texture.place.x;
   return Footprint(vec4u(texels[rows.x + x.x], texels[rows.x + x.y], texels[rows.y + x.x], texels[rows.y + x.y]), share);
 }
 

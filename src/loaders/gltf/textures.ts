@@ -1,9 +1,7 @@
 // Pictures as textures of a scene. A picture is decoded once, whatever the number of ways it is repeated.
 
 import { LoadError } from "../../errors";
-import { texelsOfLevels } from "../../scene/mipLevels";
 import type { Scene, Texture } from "../../scene/schema";
-import { shrinkPicture } from "../../scene/shrinkPicture";
 import { checkPageDecodes, decodeInPage } from "../decodeInPage";
 import { Ktx2Decoder } from "../ktx2/ktx2Decoder";
 import { KTX2_MIME_TYPE } from "../ktx2/ktx2Header";
@@ -18,6 +16,7 @@ import { placeOf } from "./materials";
 import type { Resources } from "./resources";
 import { roughnessPicture } from "./roughnessPicture";
 import type { GltfJson } from "./schema";
+import { shrinkPicture } from "./shrinkPicture";
 
 /** Files at the same time: as many as browsers load from one host. */
 const MAX_READING = 6;
@@ -99,8 +98,7 @@ export class Textures {
     const { decodeImage = decodeInPage, signal } = options;
     const pictures = await this.#read(resources, signal);
     if (options.decodeImage === undefined && !pictures.every(isKtx2)) checkPageDecodes();
-    const bytesOf = ({ width, height, copies }: Picture) => 4 * copies * texelsOfLevels(width, height);
-    const bytes = pictures.reduce((sum, picture) => sum + bytesOf(picture), 0);
+    const bytes = pictures.reduce((sum, { width, height, copies }) => sum + 4 * width * height * copies, 0);
     const halvings = fitPictures(pictures, await texelBudget(bytes, options));
     const decoded = new Map<number, DecodedImage>();
     const ktx2 = new Ktx2Decoder(signal);

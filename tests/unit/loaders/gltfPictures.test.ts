@@ -2,7 +2,6 @@ import { encode } from "fast-png";
 import { describe, expect, test, vi } from "vitest";
 import { decodeImage } from "../../../src/cli/decodeImage";
 import { type LoadOptions, loadGltf } from "../../../src/loaders/gltf";
-import { texelsOfLevels } from "../../../src/scene/mipLevels";
 import { parseScene } from "../../../src/scene/parseScene";
 import { container, meshesOf, type TriangleJson, triangleFile } from "../../support/gltf";
 import { ktx2Picture, texelsOfKtx2Blocks } from "../../support/ktx2Pictures";
@@ -231,7 +230,7 @@ describe("pictures that are too large together", () => {
   test("are halved, and it is said from what size to what size", async () => {
     const { scene, warnings } = await load(pictureFile([png(64), png(8)]), {
       ...options,
-      maxTexelBytes: 4 * texelsOfLevels(16, 16) + 4 * texelsOfLevels(8, 8),
+      maxTexelBytes: 4 * 16 * 16 + 4 * 8 * 8,
     });
     const sizes = Object.values(scene.textures!).map(({ width, height }) => [width, height]);
     expect(sizes).toEqual([
@@ -247,7 +246,7 @@ describe("pictures that are too large together", () => {
   test("are averaged as data where they are data", async () => {
     const { scene } = await load(
       pictureFile([png(64)], (index) => ({ normalTexture: { index } })),
-      { ...options, maxTexelBytes: 4 * texelsOfLevels(32, 32) },
+      { ...options, maxTexelBytes: 4 * 32 * 32 },
     );
     expect(new Set(scene.textures!["image 0"]!.texels)).toEqual(new Set([128]));
   });
@@ -257,7 +256,7 @@ describe("pictures that are too large together", () => {
       json.samplers = [{ wrapS: 33071 }];
       json.textures = [{ source: 0 }, { source: 0, sampler: 0 }];
     });
-    const { scene } = await load(file, { ...options, maxTexelBytes: 4 * texelsOfLevels(64, 64) });
+    const { scene } = await load(file, { ...options, maxTexelBytes: 4 * 64 * 64 });
     expect(Object.values(scene.textures!).map(({ width }) => width)).toEqual([32, 32]);
   });
 
@@ -271,12 +270,12 @@ describe("pictures that are too large together", () => {
     };
     const { scene, warnings } = await load(pictureFile(Array(5).fill(png(4096))), { decodeImage: counting });
     const textures = Object.values(scene.textures!);
-    expect(textures.map(({ width }) => width)).toEqual([2048, 2048, 2048, 2048, 2048]);
-    const byteCount = textures.reduce((sum, { width }) => sum + 4 * texelsOfLevels(width, width), 0);
+    expect(textures.map(({ width }) => width)).toEqual([2048, 2048, 2048, 2048, 4096]);
+    const byteCount = textures.reduce((sum, { texels }) => sum + texels.length, 0);
     expect(byteCount).toBeLessThanOrEqual(128 * 2 ** 20);
     expect(most).toBeLessThanOrEqual(2);
     expect(warnings).toEqual([
-      "Pictures are too large together, so this is shown at 2048 × 2048 instead of 4096 × 4096 (images[0], images[1], images[2] and 2 more)",
+      "Pictures are too large together, so this is shown at 2048 × 2048 instead of 4096 × 4096 (images[0], images[1], images[2] and 1 more)",
     ]);
   });
 
@@ -285,7 +284,7 @@ describe("pictures that are too large together", () => {
     vi.stubGlobal("navigator", { gpu: { requestAdapter: async () => ({ limits }) } });
     try {
       const { scene } = await load(pictureFile(Array(5).fill(png(4096))), options);
-      expect(Object.values(scene.textures!).map(({ width }) => width)).toEqual([2048, 2048, 2048, 4096, 4096]);
+      expect(Object.values(scene.textures!).map(({ width }) => width)).toEqual([2048, 2048, 4096, 4096, 4096]);
     } finally {
       vi.unstubAllGlobals();
     }

@@ -46,7 +46,7 @@ test("the same texels in another array need no other geometry, a changed texel d
   const textured = (texels: Uint8Array) => scene({ textures: { t: { width: 2, height: 1, texels } } });
   const texels = Uint8Array.of(1, 2, 3, 4, 5, 6, 7, 8);
   const before = (await prepare(textured(texels)))!;
-  expect(before.data.texels).toEqual([texels, Uint8Array.of(3, 4, 5, 6)]);
+  expect(before.data.texels).toEqual([texels]);
   expect(await prepare(textured(texels.slice()), before)).toBe(before);
   expect(await prepare(textured(new Uint8Array([0, ...texels]).subarray(1)), before)).toBe(before);
   expect(await prepare(textured(Uint8Array.of(1, 2, 3, 4, 5, 6, 7, 9)), before)).not.toBe(before);

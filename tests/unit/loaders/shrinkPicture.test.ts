@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
+import { shrinkPicture } from "../../../src/loaders/gltf/shrinkPicture";
 import { isKept } from "../../../src/scene/keptBytes";
-import { shrinkPicture } from "../../../src/scene/shrinkPicture";
 import { createRandom } from "../../support/random";
 
 const linearOf = (c: number) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);

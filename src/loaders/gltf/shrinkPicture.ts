@@ -1,10 +1,6 @@
-import { nextTask } from "../nextTask";
-import { keep } from "./keptBytes";
-
-/** Red, green, blue, alpha, a byte each; rows from the top. */
-type Picture = { readonly width: number; readonly height: number; readonly texels: Uint8Array<ArrayBuffer> };
-/** One as a browser decodes it too. */
-type AnyPicture = Omit<Picture, "texels"> & { readonly texels: Uint8Array | Uint8ClampedArray };
+import { nextTask } from "../../nextTask";
+import { keep } from "../../scene/keptBytes";
+import type { DecodedImage } from "../loadedScene";
 
 /** Texels that are read in one task: they take a few milliseconds. */
 const SLICE_TEXELS = 2 ** 18;
@@ -33,11 +29,11 @@ const AT_LEAST = (() => {
  * @param isColor - whether red, green and blue are sRGB, of which the light is averaged, or data. Alpha is always data.
  */
 export async function shrinkPicture(
-  image: AnyPicture,
+  image: DecodedImage,
   [width, height]: readonly [number, number],
   isColor: boolean,
   signal: AbortSignal | undefined,
-): Promise<Picture> {
+): Promise<DecodedImage> {
   const texels = new Uint8Array(4 * width * height);
   const columns = overlaps(image.width, width);
   const rows = overlaps(image.height, height);
@@ -83,7 +79,7 @@ function overlaps(from: number, to: number): Overlaps {
 }
 
 function addTexels(
-  { texels, width }: AnyPicture,
+  { texels, width }: DecodedImage,
   row: number,
   columns: Overlaps,
   isColor: boolean,
