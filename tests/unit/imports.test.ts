@@ -25,7 +25,7 @@ const LEFT: Readonly<Record<string, string>> = {
   lights: "math scene",
   lobes: "math scene",
   shapes: "math scene lights",
-  tree: "math scene lights shapes bvh",
+  tree: "math scene lights lobes shapes bvh",
   compile: "math scene lights lobes shapes tree",
   gpu: "compile tree",
   renderer: "math scene shapes tree compile gpu",

@@ -5,11 +5,11 @@ import { formatScene } from "../../../demo/playground/formatScene";
 const FOLDER = new URL("../../reference/scenes/", import.meta.url);
 
 describe("formatScene", () => {
-  test.each(readdirSync(FOLDER))("changes nothing in %s, and keeps its lines short but those of a mesh", (name) => {
+  test.each(readdirSync(FOLDER))("changes nothing in %s, and keeps its lines short but those of meshes and pictures", (name) => {
     const scene: unknown = JSON.parse(readFileSync(new URL(name, FOLDER), "utf8"));
     const text = formatScene(scene);
     expect(JSON.parse(text)).toEqual(scene);
-    const lines = text.split("\n").filter((line) => !/^ *"(positions|indices|normals)": \[/.test(line));
+    const lines = text.split("\n").filter((line) => !/^ *"(positions|indices|normals|uvs|texels)": \[/.test(line));
     expect(lines.every(({ length }) => length <= 120)).toBe(true);
   });
 

@@ -9,6 +9,7 @@ import type {
   Rgb,
   Scene,
   SceneObject,
+  Texture,
   Vec3,
 } from "../../../src/scene/schema";
 import { MaterialSchema } from "../../../src/scene/schema";
@@ -99,7 +100,11 @@ describe("the reference scenes", () => {
 
     test(`${name} parses to what it says`, () => {
       const { $schema, ...scene } = json; // the address of the schema is for editors
-      expect(parseScene(json)).toMatchObject({ ...scene, objects: scene.objects.map(withTypedArrays) });
+      const pictures = Object.entries<Texture>(scene.textures ?? {}).map(([name, texture]) => {
+        return [name, { ...texture, texels: Uint8Array.from(texture.texels) }];
+      });
+      const typed = { objects: scene.objects.map(withTypedArrays), textures: Object.fromEntries(pictures) };
+      expect(parseScene(json)).toMatchObject({ ...scene, ...typed });
       expect(parseScene(json)).not.toHaveProperty("$schema");
     });
 
@@ -119,12 +124,13 @@ describe("the reference scenes", () => {
 /** An object as it comes out of the parser. */
 function withTypedArrays(object: SceneObject): object {
   if (object.type !== "mesh") return object;
-  const { positions, indices, normals } = object;
+  const { positions, indices, normals, uvs } = object;
   return {
     ...object,
     positions: Float64Array.from(positions),
     indices: Uint32Array.from(indices),
     ...(normals && { normals: Float32Array.from(normals) }),
+    ...(uvs && { uvs: Float32Array.from(uvs) }),
   };
 }
 
