@@ -5,7 +5,7 @@ import { formatScene } from "../../../demo/playground/formatScene";
 const FOLDER = new URL("../../reference/scenes/", import.meta.url);
 
 describe("formatScene", () => {
-  test.each(readdirSync(FOLDER))("changes nothing in %s, and keeps its lines short but those of meshes and pictures", (name) => {
+  test.each(readdirSync(FOLDER))("changes nothing in %s, and keeps its lines short but those of data", (name) => {
     const scene: unknown = JSON.parse(readFileSync(new URL(name, FOLDER), "utf8"));
     const text = formatScene(scene);
     expect(JSON.parse(text)).toEqual(scene);
