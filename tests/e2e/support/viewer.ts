@@ -38,8 +38,10 @@ export function samplesOf(viewer: Locator): Promise<number> {
   return viewer.evaluate((element: RtViewerElement) => element.stats?.samples ?? 0);
 }
 
-export async function waitForSamples(viewer: Locator, samples: number): Promise<void> {
-  await expect.poll(() => samplesOf(viewer), { intervals: [50] }).toBeGreaterThanOrEqual(samples);
+/** @param timeout - in milliseconds; by default that of every expectation. */
+export async function waitForSamples(viewer: Locator, samples: number, timeout?: number): Promise<void> {
+  const options = { intervals: [50], ...(timeout !== undefined && { timeout }) };
+  await expect.poll(() => samplesOf(viewer), options).toBeGreaterThanOrEqual(samples);
 }
 
 /** Rests the picture, so that two screenshots of it are equal unless something changes it. */
