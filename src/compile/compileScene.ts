@@ -13,6 +13,7 @@ import { isEmissive, primitivesOf } from "./primitives";
 import { bytesOf, type Member, packMembers, sceneMembers, slotsMember } from "./sceneMembers";
 import { unrollingOf } from "./unrolling";
 import { Literals, Slots } from "./values";
+import { mayBeIn } from "./volumes";
 
 // maxUniformBufferBindingSize of every WebGPU device.
 const MAX_UNIFORM_BYTES = 65536;
@@ -24,25 +25,33 @@ const MAX_UNIFORM_BYTES = 65536;
  * @param restingCamera - given one, the scene is compiled for it: see `CompiledScene.atRest`. Without one, values live in the
  * uniform, and the text depends only on what kinds of things there are.
  * @param geometry - what `prepareGeometry` made of the scene.
+ * @param camera - of the program, if it is not the scene's own: see `CompiledScene.isFor`.
  */
 export function compileScene(
   given: ResolvedScene,
   settings: ProgramSettings,
   restingCamera?: ResolvedCamera,
   geometry?: Geometry,
+  camera = given.camera,
 ): CompiledScene {
   const { scene, unit } = inSceneUnits(given);
   const primitives = primitivesOf(scene, geometry);
   const lights = lightsOfScene(scene, primitives);
   const hasEnvironment = scene.environment.radiance.some((value) => value > 0);
-  const hasLens = given.camera.aperture > 0;
-  const features = deriveFeatures(primitives, lights, { hasEnvironment, hasLens }, geometry, settings);
+  const origin = given.camera.target;
+  const view = viewOf(camera, origin, unit);
+  const rest = {
+    hasEnvironment,
+    hasLens: camera.aperture > 0,
+    isImmersed: mayBeIn(primitives, view.position, view.reach),
+  };
+  const features = deriveFeatures(primitives, lights, rest, geometry, settings);
   const unrolling = unrollingOf(primitives, geometry);
   const tables = tablesOf(primitives, lights, unrolling, geometry, scene, features);
   const parts = { primitives, lights, unrolling, features, tables, geometry };
   const compiled = new CompiledScene({
     ...parts,
-    origin: given.camera.target,
+    origin,
     unit,
     members: sceneMembers(tables, unrolling),
     description: describeFeatures(primitives, lights, features),
@@ -52,6 +61,15 @@ export function compileScene(
     blockers: new Blockers(primitives, lights),
   });
   return restingCamera ? compiled.atRest(restingCamera) : compiled;
+}
+
+/** Where rays of a camera start, in the shader's coordinates: within `reach` of `position`. */
+function viewOf({ position, orthographicHeight, aperture }: ResolvedCamera, origin: Vec3, unit: number) {
+  return {
+    position: scale(subtract(position, origin), 1 / unit),
+    // How wide the picture is, and so where the parallel rays of an orthographic one start, is not known here.
+    reach: orthographicHeight === undefined ? aperture / unit : Number.POSITIVE_INFINITY,
+  };
 }
 
 /** What the two programs of a scene have in common. */
@@ -113,6 +131,14 @@ export class CompiledScene {
     this.#shared = shared;
   }
 
+  /** Whether the program has what a camera needs: a lens is code of its own, and so is finding out in what solid the camera is. */
+  isFor(camera: ResolvedCamera): boolean {
+    const { primitives, origin, unit } = this.#shared;
+    const { position, reach } = viewOf(camera, origin, unit);
+    const { LENS, IMMERSED } = this.features;
+    return LENS === camera.aperture > 0 && (IMMERSED || !mayBeIn(primitives, position, reach));
+  }
+
   /**
    * The same scene with its values in the text as constants; what they rule out, seen from a camera, is left out. Faster to run,
    * good for this scene only, and the same image up to rounding. Cameras for which that makes no difference get the same object:
@@ -120,9 +146,7 @@ export class CompiledScene {
    */
   atRest(camera: ResolvedCamera): CompiledScene {
     const { blockers, unrolling, origin, unit } = this.#shared;
-    const position = scale(subtract(camera.position, origin), 1 / unit);
-    // How wide the picture is, and so where the parallel rays of an orthographic one start, is not known here.
-    const reach = camera.orthographicHeight === undefined ? camera.aperture / unit : Number.POSITIVE_INFINITY;
+    const { position, reach } = viewOf(camera, origin, unit);
     const ids = unrolling.unrolled.filter((id) => blockers.canBlock(id, position, reach));
     const blocking = ids.join(" ");
     if (this.#atRest?.blocking !== blocking) {

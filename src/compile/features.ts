@@ -9,6 +9,7 @@ import { hullOf, kindOf, type Shape } from "../shapes/shapes";
 import type { Geometry } from "../tree/geometry";
 import { rareTextures } from "./factors";
 import { isEmissive, type Primitive } from "./primitives";
+import { mayMeet } from "./volumes";
 
 /** Which estimator and sampler to compile; the settings that shape the program. */
 export type ProgramSettings = {
@@ -24,7 +25,11 @@ export type Features = ReturnType<typeof deriveFeatures>;
 export function deriveFeatures(
   primitives: readonly Primitive[],
   lights: readonly Light[],
-  { hasEnvironment, hasLens }: { readonly hasEnvironment: boolean; readonly hasLens: boolean },
+  {
+    hasEnvironment,
+    hasLens,
+    isImmersed,
+  }: { readonly hasEnvironment: boolean; readonly hasLens: boolean; readonly isImmersed: boolean },
   geometry: Geometry | undefined,
   settings: ProgramSettings,
 ) {
@@ -78,6 +83,10 @@ export function deriveFeatures(
     UV_TRANSFORMS: TEXTURE_FIELDS.some((field) => materials.some(({ [field]: t }) => t !== undefined && !isPlain(t))),
     ...lobes,
     COLORED_WALLS: lobes.COLORED_WALLS || (lobes.CLEAR_WALLS && COLORS),
+    // The camera may be in a solid in which light gets lost.
+    IMMERSED: isImmersed,
+    // Solids may hold each other, or touch, and light gets lost in some.
+    NESTED: mayMeet(primitives),
     // Some solid in which light gets lost is infinite.
     OCEANS: primitives.some(
       ({ shape, material }) => hullOf(shape) === undefined && material !== "black" && absorbs(material),

@@ -7,7 +7,7 @@ import { isTransmissive } from "./transmission";
 const MAX_SIGMA = 1e18;
 
 /** Bounds a solid that light gets into. */
-function isVolume(material: ResolvedMaterial): boolean {
+export function isVolume(material: ResolvedMaterial): boolean {
   return material.thickness > 0 && (isTransmissive(material) || isTranslucent(material));
 }
 

@@ -93,8 +93,8 @@ export class Installation {
     if (JSON.stringify(camera) === JSON.stringify(this.#shown.camera)) return;
     this.#shown = { ...this.#shown, camera };
     this.#onChange(false);
-    // A lens is code of its own. Until that is compiled the camera is shown without one.
-    if (this.#shown.compiled.features.LENS !== camera.aperture > 0) this.recompile().catch(this.#guard.fail);
+    // Until the rest is compiled it is shown without.
+    if (!this.#shown.compiled.isFor(camera)) this.recompile().catch(this.#guard.fail);
   }
 
   /** Shows another scene, or the same with other values. @throws {SceneError | UnsupportedError | WebGpuError} The old one stays. */

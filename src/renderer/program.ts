@@ -16,13 +16,13 @@ export type Program = {
   readonly key: string;
 };
 
-/** Compiles a scene for a camera that need not be its own: what matters of one is whether it has a lens. */
+/** Compiles a scene for a camera that need not be its own. */
 export function compileFor(
-  { scene, camera: { aperture } }: { readonly scene: ResolvedScene; readonly camera: ResolvedCamera },
+  { scene, camera }: { readonly scene: ResolvedScene; readonly camera: ResolvedCamera },
   settings: ProgramSettings,
   geometry: Geometry | undefined,
 ): CompiledScene {
-  return compileScene({ ...scene, camera: { ...scene.camera, aperture } }, settings, undefined, geometry);
+  return compileScene(scene, settings, undefined, geometry, camera);
 }
 
 /** What decides whether a program fits a scene: all generated text, and the conditions it is linked under. */

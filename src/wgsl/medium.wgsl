@@ -14,8 +14,10 @@ import package::surfacePoint::{SurfacePoint, otherSourceAt, sourceAt, surfacePoi
 // Absorption coefficients, per unit of length.
 var<private> medium: vec3f;
 var<private> around: vec3f;
-// Whether the path has found out what the camera is in, and how far in front of that its first ray starts.
+// Whether the path has found out what the camera is in.
+@if(IMMERSED)
 var<private> isKnown: bool;
+// How far in front of the camera its first ray starts.
 var<private> ahead: f32;
 
 // Surfaces that a look for what the camera is in goes through, at most.
@@ -25,7 +27,7 @@ const MOST_SIDES = 8u;
 fn enterScene(ray: Ray) {
   medium = vec3f(0.0);
   around = vec3f(0.0);
-  isKnown = false;
+  @if(IMMERSED) isKnown = false;
   // Of an orthographic camera this is not known.
   ahead = select(frame.near / dot(ray.d, frame.forward), 0.0, frame.near > FAR);
 }
@@ -42,14 +44,16 @@ fn meetSide(ray: Ray, surface: Surface) {
   let isSolid = isVolumeOf(surface.id) > 0.0;
   if (isSolid && !surface.front) {
     medium = sigmaOf(surface.id);
-  } else if (!isKnown) {
-    medium = mediumBefore(makeRay(surface.below, ray.d, surface.otherSource), isSolid);
+    @if(IMMERSED) isKnown = true;
+  }
+  @if(IMMERSED) {
+    if (!isKnown) { medium = mediumBefore(makeRay(surface.below, ray.d, surface.otherSource), isSolid); }
     @if(OCEANS) {
       // What has no other side may lie behind.
-      if (all(medium == vec3f(0.0))) { medium = mediumBefore(makeRay(ray.o, -ray.d, NONE), false); }
+      if (!isKnown && all(medium == vec3f(0.0))) { medium = mediumBefore(makeRay(ray.o, -ray.d, NONE), false); }
     }
+    isKnown = true;
   }
-  isKnown = true;
 }
 
 // What a ray goes through before it gets into a solid, or not: the first one that it leaves again without having entered it.
@@ -120,5 +124,5 @@ fn crossSide(surface: Surface, wi: vec3f, ray: Ray) {
   medium = around;
   around = vec3f(0.0);
   // Of two solids that touch, the second may have been entered before the first was left.
-  if (any(medium > vec3f(0.0))) { medium = mediumBefore(ray, false); }
+  @if(NESTED) if (any(medium > vec3f(0.0))) { medium = mediumBefore(ray, false); }
 }

@@ -10,16 +10,18 @@ test.use({ viewport: { width: 390, height: 844 } });
 
 const address = (name: string) => `${DEMO_URL}features/${name}.html`;
 
-// Glass with dispersion, a frosted ball and a pane took 50 s to compile and to sample twice on two cores of a software adapter.
-const SLOWEST_MS = 120_000;
+// What these pages show takes about 17 s to compile and to sample twice on two cores of a software adapter; all others keep to the time
+// that every expectation has.
+const SLOW = new Set(["glass", "fabrics-and-coats"]);
+const SLOW_MS = 60_000;
 
 for (const name of FEATURE_NAMES) {
   test(`the code of ${name} makes a picture`, async ({ page }) => {
-    test.setTimeout(2 * SLOWEST_MS);
+    if (SLOW.has(name)) test.setTimeout(2 * SLOW_MS);
     await page.goto(address(name));
     for (const viewer of await page.locator("rt-viewer").all()) {
       await viewer.scrollIntoViewIfNeeded();
-      await waitForSamples(viewer, 2, SLOWEST_MS);
+      await waitForSamples(viewer, 2, SLOW.has(name) ? SLOW_MS : undefined);
       expect(await viewer.evaluate((element: RtViewerElement) => element.stats?.badSamples)).toBe(0);
       expect(contrast(await pictureOf(viewer))).toBeGreaterThan(5);
     }
